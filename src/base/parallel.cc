@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <thread>
+
+#if defined(__SANITIZE_THREAD__)
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <vector>
+#else
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace dorsum {
+namespace {
+
+#if defined(__SANITIZE_THREAD__)
+// TBB's own synchronisation is invisible to ThreadSanitizer, which then reports false races.
+void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
+                 const std::function<void(std::int64_t)>& body) {
+  std::atomic<std::int64_t> next{begin};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  std::vector<std::jthread> workers;
+  for (int t = 0; t < threads; ++t) {
+    workers.emplace_back([&] {
+      try {
+        for (std::int64_t i = next++; i < end; i = next++) body(i);
+      } catch (...) {
+        const std::lock_guard lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+        next = end;
+      }
+    });
+  }
+  workers.clear();
+  if (failure) std::rethrow_exception(failure);
+}
+#else
+void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
+                 const std::function<void(std::int64_t)>& body) {
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(begin, end),
+                      [&](const tbb::blocked_range<std::int64_t>& range) {
+                        for (std::int64_t i = range.begin(); i != range.end(); ++i) body(i);
+                      });
+  });
+}
+#endif
+
+}  // namespace
+
+void ParallelFor(const Context& context, std::int64_t begin, std::int64_t end,
+                 const std::function<void(std::int64_t)>& body) {
+  const int available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int threads = context.threads > 0 ? context.threads : available;
+  if (threads == 1 || end - begin <= 1) {
+    for (std::int64_t i = begin; i < end; ++i) body(i);
+    return;
+  }
+  RunThreaded(threads, begin, end, body);
+}
+
+}  // namespace dorsum
