@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/light_sheet.h"
+
+#include <cmath>
+
+namespace dorsum {
+
+double IncomingAlpha(const DiffractedFan& fan, double beta) {
+  const double s = std::sin(fan.tilt);
+  return fan.form == FanForm::kConical ? s : s * std::sqrt(1.0 - beta * beta);
+}
+
+namespace {
+
+// Where on the grating's b axis the ray with direction cosine beta arrives.
+double ExitOffset(const DiffractedFan& fan, double beta) {
+  const double alpha = IncomingAlpha(fan, beta);
+  return fan.fan_distance_mm * beta / std::sqrt(1.0 - alpha * alpha - beta * beta);
+}
+
+}  // namespace
+
+std::optional<FanCoordinates> Locate(const DiffractedFan& fan, const Eigen::Vector3d& world) {
+  const Eigen::Vector3d d = world - fan.origin;
+  const double x = fan.a.dot(d), y = fan.b.dot(d), z = fan.n.dot(d);
+  if (z <= 0.0) return std::nullopt;
+  // beta solves beta = (y - y_g(beta)) / |(x, y - y_g, z)|; the fan starts close behind the grating compared
+  // with the point's distance, so the iteration shrinks the error by that ratio each time.
+  FanCoordinates c;
+  double y_g = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const double dy = y - y_g;
+    c.distance_mm = std::sqrt(x * x + dy * dy + z * z);
+    const double beta = dy / c.distance_mm;
+    const double change = std::abs(beta - c.beta);
+    c.beta = beta;
+    y_g = ExitOffset(fan, beta);
+    if (i > 0 && change < 1e-15) break;
+  }
+  c.alpha = x / c.distance_mm;
+  c.alpha_in = IncomingAlpha(fan, c.beta);
+  c.exit = fan.origin + y_g * fan.b;
+  return c;
+}
+
+std::optional<Ray> DiffractedRay(const DiffractedFan& fan, int order, double beta) {
+  const double alpha = IncomingAlpha(fan, beta) + order * fan.step;
+  const double gamma_squared = 1.0 - alpha * alpha - beta * beta;
+  if (gamma_squared <= 0.0) return std::nullopt;
+  return Ray{fan.origin + ExitOffset(fan, beta) * fan.b,
+             alpha * fan.a + beta * fan.b + std::sqrt(gamma_squared) * fan.n};
+}
+
+}  // namespace dorsum
