@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "base/result.h"
+
+namespace dorsum {
+
+// The images of one capture (§3.3), BGR, all of one size.
+struct CaptureImages {
+  cv::Mat hand;  // bgHand
+  std::vector<std::optional<cv::Mat>>
+      stripes;                        // stripesHandK by laser; none where that laser was not captured
+  std::optional<cv::Mat> hand_after;  // bgHandAfter
+  std::vector<std::string> warnings;  // one sentence each
+};
+
+// Loads a capture folder. `lasers` are those that the calibration knows; a missing image of one of them is
+// a warning, and an error only when all are missing. Refuses images that show nothing: all black, all white.
+Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
+                                  const std::vector<int>& lasers);
+
+}  // namespace dorsum
