@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace dorsum {
+
+// Takes shadow out of a mask: the part of it that lies nearer to a place known to be backplane than to one
+// known to be object (both in pixels). Only places inside the mask count. Without any backplane place the
+// mask stays as it is.
+cv::Mat RemoveShadow(const cv::Mat& mask, const std::vector<cv::Point>& object,
+                     const std::vector<cv::Point>& backplane);
+
+}  // namespace dorsum
