@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jobs/calibrate.h"
+
+#include <cmath>
+#include <map>
+
+#include <opencv2/imgproc.hpp>
+
+#include "base/files.h"
+#include "base/version.h"
+#include "captures/capture.h"
+#include "captures/image_file.h"
+#include "captures/names.h"
+#include "jobs/reconstruct.h"
+
+namespace dorsum {
+namespace {
+
+// Points of the boxes, reconstructed without correction, on the box's mask shrunk as evaluation does.
+Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSeries& series,
+                                                             const ReadyCalibration& ready,
+                                                             const CalibrateOptions& options,
+                                                             const Context& context) {
+  std::map<int, std::vector<HeightSample>> samples;
+  ReconstructOptions reconstruct;
+  reconstruct.correction = "none";
+  for (std::size_t i = 0; i < series.box_heights_mm.size(); ++i) {
+    DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+    context.Report("boxes", static_cast<double>(i) / static_cast<double>(series.box_heights_mm.size()));
+    const double height = series.box_heights_mm[i];
+    DORSUM_ASSIGN_OR_RETURN(
+        const CaptureImages capture,
+        LoadCapture(series.BoxDir(height), {series.setup.width, series.setup.height}, series.lasers));
+    Context quiet = context;
+    quiet.progress = nullptr;
+    DORSUM_ASSIGN_OR_RETURN(const Reconstruction box, ReconstructPoints(capture, ready, reconstruct, quiet));
+    cv::Mat inner;
+    cv::erode(box.mask.mask, inner, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
+    std::map<int, std::vector<HeightSample>> of_box;
+    for (const SurfacePoint& p : box.points) {
+      const auto u = static_cast<int>(std::lround(p.u)), v = static_cast<int>(std::lround(p.v));
+      if (u < 0 || v < 0 || u >= inner.cols || v >= inner.rows || inner.at<std::uint8_t>(v, u) == 0) continue;
+      of_box[p.laser].push_back({p.position.x(), p.position.z(), height});
+    }
+    for (auto& [laser, list] : of_box) {
+      const std::size_t step = list.size() / options.samples_per_laser_and_box + 1;
+      for (std::size_t k = 0; k < list.size(); k += step) samples[laser].push_back(list[k]);
+    }
+  }
+  return samples;
+}
+
+PartReport ReportCorrection(const std::vector<CorrectionEvidence>& evidence) {
+  PartReport report;
+  report.part = "surface error correction";
+  double worst = 0.0;
+  for (const CorrectionEvidence& e : evidence) {
+    const std::string who = "laser " + std::to_string(e.laser);
+    report.figures.push_back({who + ": height error before", e.fit.rms_before_mm, "mm"});
+    report.figures.push_back({who + ": height error after", e.fit.rms_after_mm, "mm"});
+    report.figures.push_back({who + ": points", static_cast<double>(e.fit.samples), ""});
+    worst = std::max(worst, e.fit.rms_after_mm);
+  }
+  if (evidence.empty()) {
+    report.grade = Grade::kDoubtful;
+    report.verdict = "there are no boxes under heights/, so heights stay uncorrected";
+  } else if (worst > 3.0) {
+    report.grade = Grade::kDoubtful;
+    report.verdict =
+        "the boxes' heights do not fit well after the correction; are the heights in setup.json right?";
+  } else {
+    report.verdict = "the second-order correction explains the boxes";
+  }
+  return report;
+}
+
+Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& options,
+                      const Context& context, CalibrationRun* run) {
+  Calibration& calibration = run->calibration;
+  if (!series.box_heights_mm.empty()) {
+    DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
+                            PrepareCalibration(calibration, series.dir.string()));
+    DORSUM_ASSIGN_OR_RETURN(auto samples, SampleBoxes(series, ready, options, context));
+    for (LaserGeometry& laser : calibration.device.lasers) {
+      CorrectionEvidence evidence;
+      evidence.laser = laser.laser;
+      evidence.samples = std::move(samples[laser.laser]);
+      const Result<CorrectionFit> fit = FitCorrection(evidence.samples);
+      if (!fit.ok()) {
+        calibration.warnings.push_back("laser " + std::to_string(laser.laser) + ": " + fit.error().message);
+        continue;
+      }
+      evidence.fit = *fit;
+      laser.correction = fit->polynomial;
+      laser.residual_mm = fit->rms_after_mm;
+      run->correction.push_back(std::move(evidence));
+    }
+  }
+  calibration.parts.push_back(ReportCorrection(run->correction));
+  return {};
+}
+
+}  // namespace
+
+Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,
+                                       const Context& context) {
+  CalibrationRun run;
+  DORSUM_ASSIGN_OR_RETURN(run.classic, CalibrateClassic(series, options.classic, context));
+  Calibration& c = run.calibration;
+  c.method = options.method;
+  c.version = kVersion;
+  c.device = run.classic.device;
+  c.warnings = series.warnings;
+  c.warnings.insert(c.warnings.end(), run.classic.warnings.begin(), run.classic.warnings.end());
+  c.parts.push_back(run.classic.camera.report);
+  for (const LaserCalibration& laser : run.classic.lasers) c.parts.push_back(laser.report);
+  DORSUM_ASSIGN_OR_RETURN(const auto background_path, RequireImage(series.dir, kBgNoHandName));
+  DORSUM_ASSIGN_OR_RETURN(c.background, ReadFile(background_path));
+  DORSUM_RETURN_IF_ERROR(FitCorrections(series, options, context, &run));
+  for (const std::filesystem::path& file : series.Files()) {
+    DORSUM_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(series.dir / file));
+    c.sources.push_back({file.generic_string(), Sha256Hex(bytes)});
+  }
+  return run;
+}
+
+Result<CalibrationRun> CalibrateFolder(const std::filesystem::path& dir, const std::filesystem::path& out,
+                                       const CalibrateOptions& options, const Context& context) {
+  DORSUM_ASSIGN_OR_RETURN(const CalibrationSeries series, LoadCalibrationSeries(dir));
+  DORSUM_ASSIGN_OR_RETURN(CalibrationRun run, CalibrateSeries(series, options, context));
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  DORSUM_RETURN_IF_ERROR(WriteCalibration(out, run.calibration));
+  return run;
+}
+
+}  // namespace dorsum

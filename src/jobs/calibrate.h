@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/context.h"
+#include "base/result.h"
+#include "calibration/calibration_file.h"
+#include "calibration/classic_calibration.h"
+#include "calibration/correction_fit.h"
+
+namespace dorsum {
+
+struct CalibrateOptions {
+  std::string method = "classic";
+  ClassicCalibrationOptions classic;
+  std::size_t samples_per_laser_and_box = 4000;  // at most, for the fit of the correction
+};
+
+// One laser's points on the boxes under heights/, and what was fitted to them (Figure 4.3).
+struct CorrectionEvidence {
+  int laser = 0;
+  std::vector<HeightSample> samples;
+  CorrectionFit fit;
+};
+
+// A calibration and all that was seen on the way, for the report.
+struct CalibrationRun {
+  Calibration calibration;
+  ClassicCalibration classic;
+  std::vector<CorrectionEvidence> correction;
+};
+
+Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,
+                                       const Context& context);
+
+// The job behind `dorsum calibrate`: writes calibration.json and, beside it, a report of the same name with
+// .html. Nothing is written unless all is well.
+Result<CalibrationRun> CalibrateFolder(const std::filesystem::path& dir, const std::filesystem::path& out,
+                                       const CalibrateOptions& options, const Context& context);
+
+}  // namespace dorsum
