@@ -21,8 +21,9 @@ struct CaptureImages {
   std::vector<std::string> warnings;  // one sentence each
 };
 
-// Loads a capture folder. `lasers` are those that the calibration knows; a missing image of one of them is
-// a warning, and an error only when all are missing. Refuses images that show nothing: all black, all white.
+// Loads a capture folder. All images must be of the `expected` size, or of bgHand's if that is empty.
+// `lasers` are those that the calibration knows; a missing image of one of them is a warning, and an error
+// only when all are missing. Refuses images that show nothing: all black, all white.
 Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
                                   const std::vector<int>& lasers);
 
