@@ -118,7 +118,7 @@ Result<StagedFolder> StagedFolder::Create(const fs::path& target) {
   }
   fs::create_directories(clean.parent_path(), ec);
   if (ec) return CannotWrite(target, ec.message());
-  if (fs::exists(clean) && access(clean.c_str(), W_OK) != 0) return CannotWrite(target, ErrnoText());
+  if (fs::exists(clean, ec) && access(clean.c_str(), W_OK) != 0) return CannotWrite(target, ErrnoText());
   std::string pattern = (clean.parent_path() / ("." + clean.filename().string() + ".XXXXXX")).string();
   if (mkdtemp(pattern.data()) == nullptr) return CannotWrite(target, ErrnoText());
   fs::permissions(pattern,
@@ -130,7 +130,7 @@ Result<StagedFolder> StagedFolder::Create(const fs::path& target) {
 
 Status StagedFolder::Commit() {
   std::error_code ec;
-  if (!fs::exists(target_)) {
+  if (!fs::exists(target_, ec)) {
     fs::rename(staging_, target_, ec);
     if (ec) return CannotWrite(target_, ec.message());
     staging_.clear();

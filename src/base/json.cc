@@ -19,6 +19,11 @@ const Json& EmptyArray() {
   return kEmpty;
 }
 
+// The value's beginning in ASCII, so that no character is cut in two.
+std::string Shown(const Json& value) {
+  return value.dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace).substr(0, 40);
+}
+
 std::string RangeText(double min, double max) {
   std::ostringstream out;
   out << "between " << min << " and " << max;
@@ -40,7 +45,8 @@ Result<Json> ReadJson(const std::filesystem::path& path) {
 }
 
 Status WriteJson(const std::filesystem::path& path, const Json& json) {
-  return WriteFile(path, json.dump(1) + "\n");
+  // Names of files may hold any bytes; those that are not UTF-8 are replaced, since dump() would throw.
+  return WriteFile(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 JsonReader::JsonReader(const Json& object, std::string where) : object_(&object), where_(std::move(where)) {
@@ -76,7 +82,7 @@ double JsonReader::Number(const std::string& key, double min, double max) {
   if (j == nullptr) return 0.0;
   const double value = j->is_number() ? j->get<double>() : std::nan("");
   if (!std::isfinite(value) || value < min || value > max) {
-    Fail(key, "must be a number " + RangeText(min, max) + ", not " + j->dump().substr(0, 40));
+    Fail(key, "must be a number " + RangeText(min, max) + ", not " + Shown(*j));
     return 0.0;
   }
   return value;
@@ -84,7 +90,10 @@ double JsonReader::Number(const std::string& key, double min, double max) {
 
 int JsonReader::Integer(const std::string& key, int min, int max) {
   const double value = Number(key, min, max);
-  if (value != std::floor(value)) Fail(key, "must be a whole number");
+  if (value != std::floor(value)) {
+    Fail(key, "must be a whole number");
+    return 0;
+  }
   return static_cast<int>(value);
 }
 
@@ -119,7 +128,7 @@ std::vector<double> JsonReader::Numbers(const std::string& key, int count, doubl
     for (const Json& item : *j) {
       const double value = item.is_number() ? item.get<double>() : std::nan("");
       if (!std::isfinite(value) || value < min || value > max) {
-        Fail(key, "must hold numbers " + RangeText(min, max) + ", not " + item.dump().substr(0, 40));
+        Fail(key, "must hold numbers " + RangeText(min, max) + ", not " + Shown(item));
         break;
       }
       out.push_back(value);

@@ -87,8 +87,11 @@ Status OptionTable::Set(const std::string& name, const std::string& value) {
 
 Status OptionTable::ReadToml(const std::filesystem::path& path, const std::string& section) {
   DORSUM_ASSIGN_OR_RETURN(const toml::table file, ReadTomlFile(path));
-  const toml::table* table = file[section].as_table();
-  if (table == nullptr) return {};
+  const toml::node* node_of_section = file.get(section);
+  if (node_of_section == nullptr) return {};
+  const toml::table* table = node_of_section->as_table();
+  if (table == nullptr)
+    return BadInput(path.string() + ": '" + section + "' must be a table, [" + section + "]");
   for (const auto& [key, node] : *table) {
     std::ostringstream text;
     if (const auto* s = node.as_string()) {

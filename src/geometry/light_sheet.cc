@@ -25,9 +25,10 @@ std::optional<FanCoordinates> Locate(const DiffractedFan& fan, const Eigen::Vect
   const double x = fan.a.dot(d), y = fan.b.dot(d), z = fan.n.dot(d);
   if (z <= 0.0) return std::nullopt;
   // beta solves beta = (y - y_g(beta)) / |(x, y - y_g, z)|; the fan starts close behind the grating compared
-  // with the point's distance, so the iteration shrinks the error by that ratio each time.
+  // with the point's distance, so the iteration shrinks the error by that ratio each time. It begins with the
+  // answer for a fan without tilt, whose light spreads over y from a point fan_distance behind (0, 0, 0).
   FanCoordinates c;
-  double y_g = 0.0;
+  double y_g = y * fan.fan_distance_mm / (std::sqrt(x * x + z * z) + fan.fan_distance_mm);
   for (int i = 0; i < 60; ++i) {
     const double dy = y - y_g;
     c.distance_mm = std::sqrt(x * x + dy * dy + z * z);

@@ -50,11 +50,11 @@ Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSe
   return samples;
 }
 
-PartReport ReportCorrection(const std::vector<CorrectionEvidence>& evidence) {
+PartReport ReportCorrection(const std::vector<LaserCorrection>& evidence) {
   PartReport report;
   report.part = "surface error correction";
   double worst = 0.0;
-  for (const CorrectionEvidence& e : evidence) {
+  for (const LaserCorrection& e : evidence) {
     const std::string who = "laser " + std::to_string(e.laser);
     report.figures.push_back({who + ": height error before", e.fit.rms_before_mm, "mm"});
     report.figures.push_back({who + ": height error after", e.fit.rms_after_mm, "mm"});
@@ -82,7 +82,7 @@ Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& o
                             PrepareCalibration(calibration, series.dir.string()));
     DORSUM_ASSIGN_OR_RETURN(auto samples, SampleBoxes(series, ready, options, context));
     for (LaserGeometry& laser : calibration.device.lasers) {
-      CorrectionEvidence evidence;
+      LaserCorrection evidence;
       evidence.laser = laser.laser;
       evidence.samples = std::move(samples[laser.laser]);
       const Result<CorrectionFit> fit = FitCorrection(evidence.samples);
@@ -98,6 +98,28 @@ Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& o
   }
   calibration.parts.push_back(ReportCorrection(run->correction));
   return {};
+}
+
+Result<std::string> MakeReport(const CalibrationSeries& series, const CalibrationRun& run) {
+  CalibrationReportData data;
+  const std::filesystem::path clean = std::filesystem::absolute(series.dir).lexically_normal();
+  data.title = "Calibration from " + (clean.has_filename() ? clean : clean.parent_path()).filename().string();
+  data.method = run.calibration.method;
+  data.classic = run.classic;
+  data.correction = run.correction;
+  data.parts = run.calibration.parts;
+  data.warnings = run.calibration.warnings;
+  data.sources = run.calibration.sources.size();
+  data.board_inner = {series.setup.board_columns, series.setup.board_rows};
+  data.square_mm = series.setup.square_mm;
+  data.version = run.calibration.version;
+  DORSUM_ASSIGN_OR_RETURN(data.board_photo, series.Read(ChessName(0)));
+  data.background_photos.resize(static_cast<std::size_t>(series.lasers.back()) + 1);
+  for (const int laser : series.lasers) {
+    DORSUM_ASSIGN_OR_RETURN(data.background_photos[static_cast<std::size_t>(laser)],
+                            series.Read(StripesBgName(laser)));
+  }
+  return MakeCalibrationReport(data);
 }
 
 }  // namespace
@@ -128,8 +150,18 @@ Result<CalibrationRun> CalibrateFolder(const std::filesystem::path& dir, const s
                                        const CalibrateOptions& options, const Context& context) {
   DORSUM_ASSIGN_OR_RETURN(const CalibrationSeries series, LoadCalibrationSeries(dir));
   DORSUM_ASSIGN_OR_RETURN(CalibrationRun run, CalibrateSeries(series, options, context));
+  context.Report("report", 0.95);
+  DORSUM_ASSIGN_OR_RETURN(const std::string html, MakeReport(series, run));
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
-  DORSUM_RETURN_IF_ERROR(WriteCalibration(out, run.calibration));
+  std::filesystem::path page = out;
+  page.replace_extension(".html");
+  DORSUM_RETURN_IF_ERROR(WriteFile(page, html));
+  if (const Status written = WriteCalibration(out, run.calibration); !written.ok()) {
+    std::error_code ignored;
+    std::filesystem::remove(page, ignored);
+    return written.error();
+  }
+  run.files = {out.string(), page.string()};
   return run;
 }
 

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "calibration/calibration_file.h"
 #include "calibration/classic_calibration.h"
-#include "calibration/correction_fit.h"
+#include "report/calibration_report.h"
 
 namespace dorsum {
 
@@ -19,18 +19,12 @@ struct CalibrateOptions {
   std::size_t samples_per_laser_and_box = 4000;  // at most, for the fit of the correction
 };
 
-// One laser's points on the boxes under heights/, and what was fitted to them (Figure 4.3).
-struct CorrectionEvidence {
-  int laser = 0;
-  std::vector<HeightSample> samples;
-  CorrectionFit fit;
-};
-
 // A calibration and all that was seen on the way, for the report.
 struct CalibrationRun {
   Calibration calibration;
   ClassicCalibration classic;
-  std::vector<CorrectionEvidence> correction;
+  std::vector<LaserCorrection> correction;  // by laser (Figure 4.3)
+  std::vector<std::string> files;           // written
 };
 
 Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,

@@ -129,6 +129,43 @@ void CompleteSegments(const LaserStripes& stripes, const LaserGeometry& laser,
   }
 }
 
+bool TouchesBackplane(const LaserStripes& stripes, const std::vector<char>& backplane,
+                      const StripePoint& end) {
+  constexpr float kRows = 4.0F, kColumns = 9.0F;
+  for (std::size_t i = 0; i < backplane.size(); ++i) {
+    const StripePoint& p = stripes.points[i];
+    if (backplane[i] && std::abs(p.v - end.v) <= kRows && std::abs(p.u - end.u) <= kColumns) return true;
+  }
+  return false;
+}
+
+// Where the edge of the object's own shadow cuts a stripe on the backplane lengthwise, what is left of it is
+// thin, dim and off the reference. Such a short piece continues a stripe on the backplane.
+void CompleteRemnants(const LaserStripes& stripes, const LaserGeometry& laser,
+                      const BackplaneStripeOptions& options, std::vector<char>* backplane) {
+  const std::vector<char> before = *backplane;
+  for (const StripeSegment& s : stripes.segments) {
+    const std::int32_t last = s.first + s.count - 1;
+    for (std::int32_t begin = s.first; begin <= last;) {
+      std::int32_t end = begin;  // one past a run of points that are alike
+      bool close = true;
+      for (; end <= last && before[static_cast<std::size_t>(end)] == before[static_cast<std::size_t>(begin)];
+           ++end) {
+        const StripePoint& p = stripes.points[static_cast<std::size_t>(end)];
+        close = close && NearestReference(laser, p, options.remnant_distance_px) != nullptr;
+      }
+      const bool candidate =
+          !before[static_cast<std::size_t>(begin)] && close && end - begin <= options.remnant_rows;
+      if (candidate &&
+          (TouchesBackplane(stripes, before, stripes.points[static_cast<std::size_t>(begin)]) ||
+           TouchesBackplane(stripes, before, stripes.points[static_cast<std::size_t>(end - 1)]))) {
+        std::fill(backplane->begin() + begin, backplane->begin() + end, 1);
+      }
+      begin = end;
+    }
+  }
+}
+
 BackplaneSplit SplitOne(const LaserStripes& stripes, const std::vector<char>& backplane, int min_rows) {
   BackplaneSplit out;
   out.object.laser = stripes.laser;
@@ -178,6 +215,7 @@ std::vector<BackplaneSplit> SplitBackplane(const std::vector<LaserStripes>& stri
     }
     if (const LaserGeometry* laser = device.FindLaser(stripes[k].laser)) {
       CompleteSegments(stripes[k], *laser, options, &backplane);
+      CompleteRemnants(stripes[k], *laser, options, &backplane);
     }
     out.push_back(SplitOne(stripes[k], backplane, min_rows));
   }

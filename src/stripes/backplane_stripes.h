@@ -13,7 +13,10 @@ struct BackplaneStripeOptions {
   double min_brightness = 0.6;   // share of the reference stripe's brightness, 0 to 1
   double max_brightness = 1.6;   // the same from above
   int window_rows = 9;  // rows over which brightness is averaged, since speckle makes single rows uncertain
-  int vote_rows = 6;    // rows above and below in which the stripes beside a point are asked
+  double remnant_distance_px =
+      6.0;                // how far a shadow's edge can push a short piece off the reference stripe, px
+  int remnant_rows = 40;  // longest such piece, px
+  int vote_rows = 6;      // rows above and below in which the stripes beside a point are asked
   double vote_columns_px =
       110.0;  // and columns to either side, px; more than one spacing of one laser's stripes
   double vote_distance_px = 3.0;  // a dimmer stripe this close to a reference stripe speaks against, px

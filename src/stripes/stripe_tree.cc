@@ -31,6 +31,19 @@ std::map<std::pair<std::int32_t, std::int32_t>, int> LinkRows(LaserStripes* stri
   return shared;
 }
 
+// Steps from a segment over strongest parents to a root. A slanted stripe can reach further left than its
+// parent, so the segments' columns would not tell whose level to find first. Crooked pieces can be each
+// other's ancestors; no more steps than there are segments are counted then.
+int CountAncestors(const std::vector<std::pair<int, std::int32_t>>& strongest, std::size_t segment) {
+  int steps = 0;
+  std::int32_t parent = strongest[segment].second;
+  while (parent != kNoPoint && steps < static_cast<int>(strongest.size())) {
+    ++steps;
+    parent = strongest[static_cast<std::size_t>(parent)].second;
+  }
+  return steps;
+}
+
 }  // namespace
 
 StripeTree BuildStripeTree(LaserStripes* stripes, int min_shared_rows) {
@@ -52,21 +65,14 @@ StripeTree BuildStripeTree(LaserStripes* stripes, int min_shared_rows) {
     auto& best = strongest[static_cast<std::size_t>(right)];
     if (rows > best.first) best = {rows, left};
   }
-  std::vector<std::int32_t> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (strongest[i].second == kNoPoint) tree.roots.push_back(static_cast<std::int32_t>(i));
+    tree.nodes[i].level = CountAncestors(strongest, i);
+  }
+  std::stable_sort(tree.roots.begin(), tree.roots.end(), [&](std::int32_t i, std::int32_t j) {
     return stripes->segments[static_cast<std::size_t>(i)].min_u <
            stripes->segments[static_cast<std::size_t>(j)].min_u;
   });
-  // From left to right, so that a parent's level is known before its children's.
-  for (const std::int32_t i : order) {
-    const auto [rows, parent] = strongest[static_cast<std::size_t>(i)];
-    if (parent == kNoPoint) {
-      tree.roots.push_back(i);
-    } else {
-      tree.nodes[static_cast<std::size_t>(i)].level = tree.nodes[static_cast<std::size_t>(parent)].level + 1;
-    }
-  }
   return tree;
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <exception>
+#include <new>
+
+#include "base/version.h"
+#include "cli/commands.h"
+
+namespace {
+
+int RunProgram(int argc, char** argv) {
+  dorsum::Session session;
+  CLI::App app("Dorsum: scan the back of a hand with one camera and a few line lasers.");
+  app.name("dorsum");
+  app.set_version_flag("--version", dorsum::kVersion);
+  app.require_subcommand(1);
+  app.footer(
+      "Each command has a --help with an example. Exit codes: 0 done, 1 the answer is no, 2 wrong usage, 3 "
+      "bad "
+      "input or\nnowhere to write, 4 device, 5 our fault, 130 interrupted.");
+  dorsum::AddSimulate(&app, &session);
+  dorsum::AddCalibrate(&app, &session);
+  dorsum::AddReconstruct(&app, &session);
+  dorsum::AddEvaluate(&app, &session);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    return app.exit(error) == 0 && asked ? 0 : dorsum::ExitCode(dorsum::ErrorCode::kUsage);
+  }
+  return session.Finish();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  dorsum::CatchInterrupts();
+  try {
+    return RunProgram(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("dorsum: error: there is not enough memory for this\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "dorsum: error: this is our fault, please report it: %s\n", error.what());
+  }
+  return dorsum::ExitCode(dorsum::ErrorCode::kInternal);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/session.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+namespace dorsum {
+namespace {
+
+std::atomic<bool> interrupted{false};  // a signal handler can reach nothing else
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+spdlog::logger& Log() {
+  static const auto kLogger = [] {
+    auto logger = spdlog::stderr_color_mt("dorsum");
+    logger->set_pattern("dorsum: %^%l%$: %v");
+    return logger;
+  }();
+  return *kLogger;
+}
+
+}  // namespace
+
+int ExitCode(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kAnswerIsNo:
+      return 1;
+    case ErrorCode::kUsage:
+      return 2;
+    case ErrorCode::kBadInput:
+      return 3;
+    case ErrorCode::kDevice:
+      return 4;
+    case ErrorCode::kInternal:
+      return 5;
+    case ErrorCode::kCancelled:
+      return 130;
+  }
+  return 5;
+}
+
+void CatchInterrupts() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
+}
+
+Context Session::MakeContext() {
+  Context context;
+  context.threads = threads;
+  context.cancel = &interrupted;
+  if (!quiet && !json && isatty(STDERR_FILENO) != 0) {
+    context.progress = [this](std::string_view stage, double fraction) {
+      std::fprintf(stderr, "\r\033[K%.*s %3.0f %%", static_cast<int>(stage.size()), stage.data(),
+                   100.0 * fraction);
+      std::fflush(stderr);
+      progress_shown_ = true;
+    };
+  }
+  return context;
+}
+
+void Session::EndProgress() {
+  if (progress_shown_) std::fputs("\r\033[K", stderr);
+  progress_shown_ = false;
+}
+
+void Session::Warn(const std::vector<std::string>& warnings) {
+  EndProgress();
+  if (quiet) return;
+  for (const std::string& warning : warnings) Log().warn(warning);
+}
+
+void Session::Print(const std::string& text, const Json& result) {
+  EndProgress();
+  const std::string out = json ? result.dump(1) + "\n" : text;
+  std::fwrite(out.data(), 1, out.size(), stdout);
+}
+
+int Session::Finish() {
+  EndProgress();
+  if (std::fflush(stdout) != 0 && error_.message.empty())
+    error_ = BadInput("cannot write to the standard output");
+  if (error_.message.empty()) return 0;
+  Log().error(error_.message);
+  return ExitCode(error_.code);
+}
+
+}  // namespace dorsum

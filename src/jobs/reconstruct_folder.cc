@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "base/version.h"
+#include "jobs/reconstruct.h"
+#include "jobs/reconstruct_report.h"
+#include "surface/height_file.h"
+#include "surface/mesh_export.h"
+#include "surface/ply.h"
+
+namespace dorsum {
+namespace {
+
+Status WritePng(const std::filesystem::path& path, const cv::Mat& image) {
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".png", image, bytes))
+    return Error{ErrorCode::kInternal, "an image could not be encoded as PNG"};
+  return WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Json Stages(const ReconstructOptions& o) {
+  return {{"mask", o.mask},     {"stripes", o.stripes},       {"indexing", o.indexing},
+          {"sheets", o.sheets}, {"correction", o.correction}, {"fusion", o.fusion}};
+}
+
+// report.json: what was made from what, how, and how much of it.
+Json ReportJson(const ReconstructRequest& request, const Reconstruction& result,
+                const ReadyCalibration& ready, const std::string& calibration_hash) {
+  ReconstructOptions options = request.options;
+  Json tuning = Json::object();
+  const OptionTable table = DescribeReconstructOptions(&options);
+  for (const OptionSpec& spec : table.specs()) tuning[spec.name] = OptionTable::ValueText(spec);
+  Json lasers = Json::array();
+  for (const IndexingDiagnostics& d : result.stripes.diagnostics) {
+    const auto points = std::count_if(result.points.begin(), result.points.end(),
+                                      [&](const SurfacePoint& p) { return p.laser == d.laser; });
+    lasers.push_back({{"laser", d.laser},
+                      {"points", points},
+                      {"segments", d.segments},
+                      {"segments_without_order", d.left_out},
+                      {"index_corrections", d.corrections}});
+  }
+  return {{"schema", "dorsum/report"},
+          {"version", 1},
+          {"program", kVersion},
+          {"capture", request.capture_dir.filename().string()},
+          {"calibration",
+           {{"file", request.calibration_path.filename().string()},
+            {"sha256", calibration_hash},
+            {"method", ready.calibration.method}}},
+          {"stages", Stages(request.options)},
+          {"options", tuning},
+          {"points", result.points.size()},
+          {"points_without_order", result.without_order},
+          {"points_without_sheet", result.without_sheet},
+          {"triangles", result.mesh.faces.size()},
+          {"crossings_left_out", result.height_field.left_out},
+          {"mask_threshold", result.mask.threshold},
+          {"mask_area_share", result.mask.area_share},
+          {"lasers", lasers},
+          {"warnings", result.warnings}};
+}
+
+Status WriteOutputs(const std::filesystem::path& dir, const ReconstructRequest& request,
+                    const Reconstruction& result, const CaptureImages& capture, const ReadyCalibration& ready,
+                    const std::string& calibration_hash, const Context& context) {
+  DORSUM_RETURN_IF_ERROR(WritePointsPly(dir / "points.ply", result.points));
+  DORSUM_RETURN_IF_ERROR(WritePng(dir / "mask.png", result.mask.mask));
+  DORSUM_RETURN_IF_ERROR(WriteHeightField(dir, result.height_field));
+  for (const std::string& format : request.mesh_formats) {
+    if (result.mesh.faces.empty() && format != "ply") continue;  // the warning about the empty mesh says why
+    DORSUM_RETURN_IF_ERROR(ExportMesh(dir, "surface", format, result.mesh));
+  }
+  const Json json = ReportJson(request, result, ready, calibration_hash);
+  DORSUM_RETURN_IF_ERROR(WriteJson(dir / "report.json", json));
+  if (!request.report) return {};
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  context.Report("report", 0.9);
+  const ReportPages pages =
+      MakeReconstructionReport(CollectReportData(request, result, capture, ready), context);
+  DORSUM_RETURN_IF_ERROR(WriteFile(dir / "report.html", pages.html));
+  return WriteFile(dir / "overview.png",
+                   {reinterpret_cast<const char*>(pages.overview_png.data()), pages.overview_png.size()});
+}
+
+}  // namespace
+
+Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, const Context& context) {
+  DORSUM_ASSIGN_OR_RETURN(const std::string calibration_bytes,
+                          ReadFile(request.calibration_path, std::size_t{256} << 20));
+  DORSUM_ASSIGN_OR_RETURN(Calibration calibration, ReadCalibration(request.calibration_path));
+  DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
+                          PrepareCalibration(std::move(calibration), request.calibration_path.string()));
+  std::vector<int> lasers;
+  for (const LaserGeometry& laser : ready.calibration.device.lasers) lasers.push_back(laser.laser);
+  DORSUM_ASSIGN_OR_RETURN(const CaptureImages capture, LoadCapture(request.capture_dir, {}, lasers));
+  DORSUM_ASSIGN_OR_RETURN(const Reconstruction result, Reconstruct(capture, ready, request.options, context));
+  DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(request.out_dir));
+  DORSUM_RETURN_IF_ERROR(
+      WriteOutputs(staged.path(), request, result, capture, ready, Sha256Hex(calibration_bytes), context));
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+
+  ReconstructSummary summary;
+  for (const auto& entry : std::filesystem::directory_iterator(staged.path())) {
+    summary.files.push_back(entry.path().filename().string());
+  }
+  std::sort(summary.files.begin(), summary.files.end());
+  DORSUM_RETURN_IF_ERROR(staged.Commit());
+  summary.points = result.points.size();
+  summary.faces = result.mesh.faces.size();
+  summary.warnings = result.warnings;
+  summary.points_by_laser.resize(static_cast<std::size_t>(lasers.back()) + 1, 0);
+  for (const SurfacePoint& p : result.points) ++summary.points_by_laser[p.laser];
+  return summary;
+}
+
+}  // namespace dorsum

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/height_file.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <vector>
+
+#include "base/files.h"
+#include "base/json.h"
+
+namespace dorsum {
+
+Status WriteHeightField(const std::filesystem::path& folder, const HeightField& field) {
+  if (field.z.empty()) return {};
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".tiff", field.z, bytes)) {
+    return Error{ErrorCode::kInternal, "the height field could not be encoded as TIFF"};
+  }
+  DORSUM_RETURN_IF_ERROR(
+      WriteFile(folder / "height.tiff", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  const Json json = {{"schema", "dorsum/height"},
+                     {"version", 1},
+                     {"file", "height.tiff"},
+                     {"frame", "world: x along columns, y along rows, z up from the backplane"},
+                     {"unit", "mm"},
+                     {"origin_mm", {field.origin_mm.x(), field.origin_mm.y()}},
+                     {"pitch_mm", field.pitch_mm},
+                     {"columns", field.z.cols},
+                     {"rows", field.z.rows}};
+  return WriteJson(folder / "height.json", json);
+}
+
+}  // namespace dorsum
