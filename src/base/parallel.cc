@@ -58,7 +58,8 @@ void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
 void ParallelFor(const Context& context, std::int64_t begin, std::int64_t end,
                  const std::function<void(std::int64_t)>& body) {
   const int available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int threads = context.threads > 0 ? context.threads : available;
+  // More threads than processors only wait for each other, and TBB warns about them.
+  const int threads = context.threads > 0 ? std::min(context.threads, available) : available;
   if (threads == 1 || end - begin <= 1) {
     for (std::int64_t i = begin; i < end; ++i) body(i);
     return;

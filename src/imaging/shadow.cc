@@ -18,14 +18,23 @@ cv::Mat DistanceTo(const std::vector<cv::Point>& places, const cv::Mat& mask) {
   return distance;
 }
 
+void DropSmallRegions(double min_area_px, cv::Mat* mask) {
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(*mask, labels, stats, centroids, 8, CV_32S);
+  for (int i = 1; i < count; ++i) {
+    if (stats.at<int>(i, cv::CC_STAT_AREA) < min_area_px) mask->setTo(0, labels == i);
+  }
+}
+
 }  // namespace
 
 cv::Mat RemoveShadow(const cv::Mat& mask, const std::vector<cv::Point>& object,
-                     const std::vector<cv::Point>& backplane) {
+                     const std::vector<cv::Point>& backplane, double min_area_share) {
   if (backplane.empty() || object.empty()) return mask.clone();
   const cv::Mat shadow = DistanceTo(backplane, mask) < DistanceTo(object, mask);
   cv::Mat out = mask.clone();
   out.setTo(0, shadow);
+  DropSmallRegions(min_area_share * static_cast<double>(mask.total()), &out);
   return out;
 }
 

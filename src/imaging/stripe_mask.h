@@ -10,10 +10,10 @@
 namespace dorsum {
 
 struct StripeMaskOptions {
-  int block_px = 61;    // side of the adaptive threshold's window, px; odd, 3 to 999; wider than a stripe,
-                        // narrower than their spacing
-  double offset = 6.0;  // how far the edge response must exceed its local mean, grey values, 0 to 255
-  int median_px = 3;    // side of the median's window, px; odd, 1 to 15
+  int block_px = 61;  // side of the adaptive threshold's window, px, 3 to 999; wider than a stripe, narrower
+                      // than their spacing; an even side grows by one
+  double offset = 5.0;  // how far the edge response must exceed its local mean, grey values, 0 to 255
+  int median_px = 3;    // side of the median's window, px, 1 to 15; an even side grows by one
 };
 
 // The document's stripe masking (§3.4, Figure 3.5): vertical edges by the kernel of equation 3.5, the G

@@ -96,6 +96,14 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   std::vector<LaserStripes> stripes = SeparateShadow(
       SplitBackplane(in_mask, device, options.segments.min_rows, options.backplane), &out.mask.mask);
   Sink(context, "mask/without_shadow", out.mask.mask);
+  out.mask.area_share =
+      static_cast<double>(cv::countNonZero(out.mask.mask)) / static_cast<double>(out.mask.mask.total());
+  if (out.mask.area_share < options.hand_mask.min_area_share) {
+    return BadInput(
+        "only shadow is seen in bgHand: the object is as bright as the backplane, or it is gone; cover a "
+        "white object "
+        "with something darker and capture again");
+  }
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("indexing", 0.5);
   out.stripes = IndexClassic(std::move(stripes), device, SheetModel::kPlane, options.classic_indexing);

@@ -69,7 +69,8 @@ cv::Mat DrawCorrectionSamples(const std::vector<HeightSample>& samples, const Co
   for (const HeightSample& s : samples) {
     if (!IsFinite(s)) continue;
     const cv::Point2d p = area.ToPixel(s.x, s.z) - cv::Point2d(area.pixels.tl());
-    if (!(p.x >= 0.0 && p.y >= 0.0 && p.x <= area.pixels.width && p.y <= area.pixels.height)) continue;
+    const bool is_outside = p.x < 0.0 || p.y < 0.0 || p.x > area.pixels.width || p.y > area.pixels.height;
+    if (is_outside) continue;
     const cv::Point cell(static_cast<int>(p.x) / kCellPx, static_cast<int>(p.y) / kCellPx);
     sum(cell) += polynomial.CorrectedZ(s.x, s.z) - s.h;
     ++count(cell);

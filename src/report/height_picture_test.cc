@@ -25,7 +25,7 @@ cv::Point2d Summit(const cv::Mat& picture) {
   double count = 0.0;
   for (int row = 0; row < picture.rows; ++row) {
     for (int column = 84; column < picture.cols - 120; ++column) {
-      const Colour c = picture.at<Colour>(row, column);
+      const auto& c = picture.at<Colour>(row, column);
       if (c[2] < 180 || c[1] < 180 || c[0] > 120) continue;
       sum += cv::Point2d(column, row);
       count += 1.0;

@@ -183,8 +183,8 @@ void HtmlPage::Table(const HtmlTable& table) {
 std::string HtmlPage::Finish(const std::string& footer) const {
   return "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
          "<meta name='viewport' content='width=device-width, initial-scale=1'>\n"
-         "<meta http-equiv='Content-Security-Policy' "
-         "content='default-src 'none'; img-src data:; style-src 'unsafe-inline''>\n" +
+         R"(<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">)"
+         "\n" +
          Element("title", title_) + "<style>\n" + std::string(ReportStyle()) +
          "</style>\n</head>\n<body>\n<main>\n" + body_ + "</main>\n<footer>" + EscapeHtml(footer) +
          "</footer>\n</body>\n</html>\n";

@@ -41,6 +41,11 @@ TEST(Html, AGradeIsAlsoAWord) {
   EXPECT_THAT(page.Finish(""), HasSubstr("&#9888; doubtful"));
 }
 
+TEST(Html, ThePolicyAllowsItsOwnStyleAndPicturesAndNothingElse) {
+  EXPECT_THAT(HtmlPage("t", "").Finish(""),
+              HasSubstr(R"(content="default-src 'none'; img-src data:; style-src 'unsafe-inline'")"));
+}
+
 TEST(Html, PicturesAreEmbedded) {
   const cv::Mat picture(8, 8, CV_8UC3, cv::Scalar(1, 2, 3));
   EXPECT_THAT(ImageUri(picture, ImageKind::kPhoto), StartsWith("data:image/jpeg;base64,/9j/"));

@@ -15,17 +15,17 @@ namespace {
 // The upper part of a sphere of 50 mm radius, cut 20 mm below its top, over a square grid.
 TriangleMesh SphereCap() {
   TriangleMesh mesh;
-  constexpr int kSide = 41;
-  std::vector<int> index(kSide * kSide, -1);
+  constexpr int kSide = 41, kMiddle = kSide / 2;
+  cv::Mat1i index(kSide, kSide, -1);
   for (int r = 0; r < kSide; ++r) {
     for (int c = 0; c < kSide; ++c) {
-      const double x = 2.0 * (c - kSide / 2), y = 2.0 * (r - kSide / 2), square = x * x + y * y;
+      const double x = 2.0 * (c - kMiddle), y = 2.0 * (r - kMiddle), square = x * x + y * y;
       if (square > 1600.0) continue;
-      index[static_cast<std::size_t>(r * kSide + c)] = static_cast<int>(mesh.vertices.size());
+      index(r, c) = static_cast<int>(mesh.vertices.size());
       mesh.vertices.emplace_back(x, y, std::sqrt(2500.0 - square) - 20.0);
     }
   }
-  const auto at = [&](int r, int c) { return index[static_cast<std::size_t>(r * kSide + c)]; };
+  const auto at = [&](int r, int c) { return index(r, c); };
   for (int r = 0; r + 1 < kSide; ++r) {
     for (int c = 0; c + 1 < kSide; ++c) {
       if (at(r, c) < 0 || at(r, c + 1) < 0 || at(r + 1, c) < 0 || at(r + 1, c + 1) < 0) continue;

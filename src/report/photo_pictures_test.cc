@@ -63,7 +63,7 @@ TEST(PhotoPictures, StripesHaveTheColourOfTheirOrderAtTheirPlace) {
   const int row = 110;  // away from numbers
   EXPECT_EQ(picture.at<Colour>(row, 200), OrderColour(0));
   EXPECT_LT(cv::norm(cv::Vec3d(picture.at<Colour>(row, 400)) - cv::Vec3d(OrderColour(3))), 90.0);
-  const Colour unknown = picture.at<Colour>(row, 600);
+  const auto& unknown = picture.at<Colour>(row, 600);
   EXPECT_EQ(unknown[0], unknown[1]);
   EXPECT_EQ(unknown[1], unknown[2]);
 }

@@ -172,6 +172,7 @@ std::string MakeHtml(const ReconstructionReportData& data, const Pictures& pictu
   HtmlPage page(data.title.empty() ? "Reconstruction" : data.title, "A surface from laser stripes");
   page.Warnings(data.warnings);
   std::vector<HtmlFact> facts;
+  facts.reserve(data.facts.size());
   for (const ReportRow& fact : data.facts) facts.push_back({fact.name, fact.value, fact.unit});
   page.Facts(facts);
   AddSurface(page, data, pictures);
