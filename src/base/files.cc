@@ -95,18 +95,20 @@ Result<std::string> DecodeBase64(std::string_view text) {
   return bytes;
 }
 
-StagedFolder::StagedFolder(fs::path target, fs::path staging)
-    : target_(std::move(target)), staging_(std::move(staging)) {}
+StagedFolder::StagedFolder(fs::path target) : target_(std::move(target)) {}
 
 StagedFolder::StagedFolder(StagedFolder&& other) noexcept
-    : target_(std::move(other.target_)), staging_(std::move(other.staging_)) {
+    : target_(std::move(other.target_)), staging_(std::move(other.staging_)), made_(std::move(other.made_)) {
   other.staging_.clear();
+  other.made_.clear();
 }
 
 StagedFolder::~StagedFolder() {
-  if (staging_.empty()) return;
   std::error_code ignored;
-  fs::remove_all(staging_, ignored);
+  if (!staging_.empty()) fs::remove_all(staging_, ignored);
+  for (const fs::path& folder : made_) {
+    if (!fs::remove(folder, ignored)) break;  // somebody else uses it by now
+  }
 }
 
 Result<StagedFolder> StagedFolder::Create(const fs::path& target) {
@@ -116,16 +118,22 @@ Result<StagedFolder> StagedFolder::Create(const fs::path& target) {
   if (fs::exists(clean, ec) && !fs::is_directory(clean, ec)) {
     return BadInput("cannot write to " + target.string() + ": it is a file, and a folder is needed");
   }
+  StagedFolder staged(clean);
+  for (fs::path up = clean.parent_path(); !fs::exists(up, ec) && up.has_relative_path();
+       up = up.parent_path()) {
+    staged.made_.push_back(up);
+  }
   fs::create_directories(clean.parent_path(), ec);
   if (ec) return CannotWrite(target, ec.message());
   if (fs::exists(clean, ec) && access(clean.c_str(), W_OK) != 0) return CannotWrite(target, ErrnoText());
   std::string pattern = (clean.parent_path() / ("." + clean.filename().string() + ".XXXXXX")).string();
   if (mkdtemp(pattern.data()) == nullptr) return CannotWrite(target, ErrnoText());
+  staged.staging_ = pattern;
   fs::permissions(pattern,
                   fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                       fs::perms::others_read | fs::perms::others_exec,
                   ec);
-  return StagedFolder(clean, pattern);
+  return staged;
 }
 
 Status StagedFolder::Commit() {
@@ -134,6 +142,7 @@ Status StagedFolder::Commit() {
     fs::rename(staging_, target_, ec);
     if (ec) return CannotWrite(target_, ec.message());
     staging_.clear();
+    made_.clear();
     return {};
   }
   std::vector<fs::path> files;

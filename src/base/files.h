@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 
@@ -25,7 +26,7 @@ Result<std::string> DecodeBase64(std::string_view text);
 
 // A folder that appears whole or not at all: files are written into a sibling staging folder and moved to
 // the target by Commit(). Files of the target that this run did not write stay as they are. The staging
-// folder is removed when the object goes without Commit.
+// folder, and folders above it that were made for it, are removed when the object goes without Commit.
 class StagedFolder {
  public:
   static Result<StagedFolder> Create(const std::filesystem::path& target);
@@ -37,9 +38,10 @@ class StagedFolder {
   Status Commit();
 
  private:
-  StagedFolder(std::filesystem::path target, std::filesystem::path staging);
+  explicit StagedFolder(std::filesystem::path target);
   std::filesystem::path target_;
   std::filesystem::path staging_;
+  std::vector<std::filesystem::path> made_;  // folders above the target that Create made, the deepest first
 };
 
 }  // namespace dorsum

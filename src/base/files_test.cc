@@ -130,6 +130,20 @@ TEST(StagedFolder, WithoutCommitNothingStaysBehind) {
   EXPECT_EQ(CountEntries(folder.path()), 0U);
 }
 
+TEST(StagedFolder, WithoutCommitTheFoldersMadeAboveItGoTooButNobodyElses) {
+  const TempFolder folder;
+  fs::create_directories(folder / "theirs");
+  { ASSERT_TRUE(StagedFolder::Create(folder / "theirs/made/deep/out").ok()); }
+  EXPECT_TRUE(fs::is_empty(folder / "theirs"));
+  {
+    const auto staged = StagedFolder::Create(folder / "theirs/made/deep/out");
+    ASSERT_TRUE(staged.ok());
+    ASSERT_TRUE(WriteFile(folder / "theirs/made/used", "by another program").ok());
+  }
+  EXPECT_EQ(ReadFile(folder / "theirs/made/used").value(), "by another program");
+  EXPECT_FALSE(fs::exists(folder / "theirs/made/deep"));
+}
+
 TEST(StagedFolder, ForeignFilesOfTheTargetStay) {
   const TempFolder folder;
   const fs::path target = folder / "out";

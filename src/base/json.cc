@@ -120,7 +120,10 @@ bool JsonReader::Bool(const std::string& key) {
 std::vector<double> JsonReader::Numbers(const std::string& key, int count, double min, double max) {
   std::vector<double> out;
   const Json* j = Find(key);
-  if (j == nullptr) return std::vector<double>(count > 0 ? static_cast<std::size_t>(count) : 0, 0.0);
+  if (j == nullptr) {
+    out.resize(count > 0 ? static_cast<std::size_t>(count) : 0, 0.0);
+    return out;
+  }
   if (!j->is_array() || (count >= 0 && j->size() != static_cast<std::size_t>(count))) {
     Fail(key, count >= 0 ? "must be a list of " + std::to_string(count) + " numbers"
                          : "must be a list of numbers");

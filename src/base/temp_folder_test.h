@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -10,15 +11,16 @@
 
 namespace dorsum {
 
-// An empty folder of the running test's own, removed at the end. A test that runs beside it in another
-// process has another one.
+// An empty folder of the running test's own (or of its suite's), removed at the end. A test that runs beside
+// it in another process has another one.
 class TempFolder {
  public:
   TempFolder() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ =
-        std::filesystem::path(::testing::TempDir()) / (std::string("dorsum_") + info->test_suite_name() +
-                                                       "_" + info->name() + "_" + std::to_string(getpid()));
+    const auto* test = ::testing::UnitTest::GetInstance();
+    std::string name = std::string("dorsum_") + test->current_test_suite()->name();
+    if (test->current_test_info() != nullptr) name += std::string("_") + test->current_test_info()->name();
+    std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
+    path_ = std::filesystem::path(::testing::TempDir()) / (name + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "base/files.h"
 #include "base/version.h"
 
@@ -52,8 +54,8 @@ Status ReadCamera(const Json& json, const std::string& where, Camera* c) {
   for (int i = 0; i < 9; ++i)
     c->camera_from_world.rotation(i / 3, i % 3) = rotation[static_cast<std::size_t>(i)];
   const Eigen::Matrix3d& r = c->camera_from_world.rotation;
-  if ((r * r.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-6 || c->fx <= 0.0 || c->fy <= 0.0 ||
-      c->Center().z() <= 0.0) {
+  if ((r * r.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-6 || r.determinant() < 0.0 ||
+      c->fx <= 0.0 || c->fy <= 0.0 || c->Center().z() <= 0.0) {
     return BadInput(where + ": the camera's matrix or pose is not one of a camera above the backplane");
   }
   return {};
@@ -161,6 +163,10 @@ Status ReadLaser(const Json& json, const std::string& where, LaserGeometry* lase
   }
   DORSUM_RETURN_IF_ERROR(ReadReference(reference, where, laser));
   if (json.contains("cone")) DORSUM_RETURN_IF_ERROR(ReadCone(json["cone"], where, laser));
+  if (laser->planes.empty() && !laser->fan) {
+    return BadInput(where + ": laser " + std::to_string(laser->laser) +
+                    " has no light sheets; calibrate again");
+  }
   return {};
 }
 
@@ -169,9 +175,13 @@ Status ReadPart(const Json& json, const std::string& where, PartReport* part) {
   part->part = reader.Text("part");
   part->verdict = reader.Text("verdict");
   const std::string grade = reader.Text("grade");
+  bool known = false;
   for (const Grade g : {Grade::kGood, Grade::kDoubtful, Grade::kBad}) {
-    if (grade == GradeName(g)) part->grade = g;
+    if (grade != GradeName(g)) continue;
+    part->grade = g;
+    known = true;
   }
+  if (!known) reader.Fail("grade", "must be good, doubtful or bad");
   for (const Json& item : reader.Array("figures", 1000)) {
     JsonReader figure(item, where + ", figures");
     part->figures.push_back({figure.Text("name"), figure.Number("value"), figure.Text("unit")});

@@ -138,7 +138,7 @@ void DeviceSection::FailNode(std::string_view key, const toml::node& node, const
 std::optional<double> DeviceSection::Checked(const toml::node& node, std::string_view key, double min,
                                              double max) {
   const bool is_number = node.is_integer() || node.is_floating_point();
-  const double number = is_number ? *node.value<double>() : 0.0;
+  const double number = node.value<double>().value_or(0.0);
   if (!is_number || !(number >= min && number <= max)) {  // also refuses NaN
     FailNode(key, node, "a number " + RangeText(min, max));
     return std::nullopt;

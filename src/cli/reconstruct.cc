@@ -59,6 +59,8 @@ void AddReconstruct(CLI::App* app, Session* session) {
       ->check(CLI::IsMember(MeshFormats()))
       ->default_str("ply");
   c->add_flag("--no-report", arguments->no_report, "write no report.html and overview.png");
+  c->add_flag("--stages", arguments->request.stages,
+              "also write every stage's intermediate image to OUT/stages");
   c->add_option("--settings", arguments->settings,
                 "TOML file whose [reconstruct] table sets the options below");
   AddTable(c, &arguments->table);

@@ -10,8 +10,9 @@ TEST(Ray, MeetsAPlaneAtTheDistanceAlongIt) {
   const Ray ray{{1.0, 2.0, 10.0}, Eigen::Vector3d(3.0, 0.0, -4.0) / 5.0};
   const auto t = Intersect(ray, Plane{Eigen::Vector3d::UnitZ(), 2.0});
   ASSERT_TRUE(t.has_value());
-  EXPECT_NEAR(*t, 10.0, 1e-12);
-  EXPECT_LT((ray.At(*t) - Eigen::Vector3d(7.0, 2.0, 2.0)).norm(), 1e-12);
+  const double distance = t.value_or(0.0);
+  EXPECT_NEAR(distance, 10.0, 1e-12);
+  EXPECT_LT((ray.At(distance) - Eigen::Vector3d(7.0, 2.0, 2.0)).norm(), 1e-12);
 }
 
 TEST(Ray, BehindItselfOrAlongThePlaneItMeetsNothing) {

@@ -51,7 +51,8 @@ Result<HandMask> ExtractHandMask(const cv::Mat& background, const cv::Mat& hand,
   cv::threshold(green, raw, result.threshold, 255, cv::THRESH_BINARY);
   Sink(context, "mask/threshold", raw);
   const cv::Mat object_pixels = raw != 0, other_pixels = raw == 0;
-  const double contrast = cv::mean(green, object_pixels)[0] - cv::mean(green, other_pixels)[0];
+  const double change_elsewhere = cv::mean(green, other_pixels)[0];
+  const double contrast = cv::mean(green, object_pixels)[0] - change_elsewhere;
 
   cv::Mat opened;
   const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {options.open_px, options.open_px});
@@ -60,11 +61,12 @@ Result<HandMask> ExtractHandMask(const cv::Mat& background, const cv::Mat& hand,
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
   Sink(context, "mask/mask", result.mask);
-  if (contrast < options.min_contrast || result.area_share < options.min_area_share) {
+  const bool nothing = contrast < options.min_contrast || result.area_share < options.min_area_share;
+  if (nothing && change_elsewhere < options.min_contrast) {
     return BadInput(
         "no hand is seen in bgHand: it looks like the empty background; put the hand down and capture again");
   }
-  if (result.area_share > options.max_area_share) {
+  if (nothing || result.area_share > options.max_area_share) {
     return BadInput(
         "bgHand differs from the background nearly everywhere; the light or the camera changed since the "
         "calibration, so calibrate again");

@@ -15,10 +15,12 @@ cv::Mat ExtractStripeMask(const cv::Mat& image, const cv::Mat& region, const Str
   cv::filter2D(image, edges, CV_8U, kernel, {-1, -1}, 0.0, cv::BORDER_REPLICATE);
   cv::extractChannel(edges, green, 1);
   Sink(context, sink_key + "/edges", green);
+  // OpenCV throws for windows of even side.
+  const int block = options.block_px | 1, median = options.median_px | 1;
   // A window with a negative constant: the pixel must exceed its neighbourhood's mean by the offset.
-  cv::adaptiveThreshold(green, mask, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY, options.block_px,
+  cv::adaptiveThreshold(green, mask, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY, block,
                         -options.offset);
-  if (options.median_px > 1) cv::medianBlur(mask, mask, options.median_px);
+  if (median > 1) cv::medianBlur(mask, mask, median);
   if (!region.empty()) mask.setTo(0, region == 0);
   Sink(context, sink_key + "/mask", mask);
   return mask;

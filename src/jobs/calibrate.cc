@@ -122,6 +122,22 @@ Result<std::string> MakeReport(const CalibrationSeries& series, const Calibratio
   return MakeCalibrationReport(data);
 }
 
+// Says at once, and not after all the work, that there is nowhere to write.
+Status CheckTarget(const std::filesystem::path& out) {
+  std::error_code ec;
+  if (!out.has_filename() || std::filesystem::is_directory(out, ec)) {
+    return BadInput("cannot write " + out.string() + ": it is a folder; name a file in it");
+  }
+  if (out.extension() == ".html") {
+    return BadInput("cannot write the calibration to " + out.string() +
+                    ": its report takes that name; name a .json file");
+  }
+  const std::filesystem::path folder = out.has_parent_path() ? out.parent_path() : ".";
+  if (std::filesystem::is_directory(folder, ec)) return {};
+  return BadInput("cannot write " + out.string() + ": there is no folder " + folder.string() +
+                  "; make it, or choose another");
+}
+
 }  // namespace
 
 Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,
@@ -148,6 +164,7 @@ Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const Ca
 
 Result<CalibrationRun> CalibrateFolder(const std::filesystem::path& dir, const std::filesystem::path& out,
                                        const CalibrateOptions& options, const Context& context) {
+  DORSUM_RETURN_IF_ERROR(CheckTarget(out));
   DORSUM_ASSIGN_OR_RETURN(const CalibrationSeries series, LoadCalibrationSeries(dir));
   DORSUM_ASSIGN_OR_RETURN(CalibrationRun run, CalibrateSeries(series, options, context));
   context.Report("report", 0.95);

@@ -49,6 +49,7 @@ struct ReconstructRequest {
   ReconstructOptions options;
   std::vector<std::string> mesh_formats = {"ply"};
   bool report = true;
+  bool stages = false;  // also every stage's intermediate image, under OUT_DIR/stages
 };
 
 struct ReconstructSummary {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <map>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -9,6 +8,7 @@
 #include "base/version.h"
 #include "jobs/reconstruct.h"
 #include "jobs/reconstruct_report.h"
+#include "jobs/stage_folder.h"
 #include "surface/height_file.h"
 #include "surface/mesh_export.h"
 #include "surface/ply.h"
@@ -88,6 +88,17 @@ Status WriteOutputs(const std::filesystem::path& dir, const ReconstructRequest& 
                    {reinterpret_cast<const char*>(pages.overview_png.data()), pages.overview_png.size()});
 }
 
+// What an earlier run with other options wrote to the same folder belongs to another surface.
+void RemoveEarlierFiles(const std::filesystem::path& dir, const std::vector<std::string>& written) {
+  std::vector<std::string> ours = {"height.tiff", "height.json", "report.html", "overview.png"};
+  for (const std::string& format : MeshFormats()) ours.push_back("surface." + format);
+  for (const std::string& name : ours) {
+    std::error_code ignored;
+    if (std::find(written.begin(), written.end(), name) == written.end())
+      std::filesystem::remove(dir / name, ignored);
+  }
+}
+
 }  // namespace
 
 Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, const Context& context) {
@@ -99,18 +110,24 @@ Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, 
   std::vector<int> lasers;
   for (const LaserGeometry& laser : ready.calibration.device.lasers) lasers.push_back(laser.laser);
   DORSUM_ASSIGN_OR_RETURN(const CaptureImages capture, LoadCapture(request.capture_dir, {}, lasers));
-  DORSUM_ASSIGN_OR_RETURN(const Reconstruction result, Reconstruct(capture, ready, request.options, context));
   DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(request.out_dir));
+  StageFolder stages(staged.path() / "stages");
+  Context inner = context;
+  if (request.stages) inner.sink = &stages;
+  DORSUM_ASSIGN_OR_RETURN(const Reconstruction result, Reconstruct(capture, ready, request.options, inner));
+  DORSUM_RETURN_IF_ERROR(stages.status());
   DORSUM_RETURN_IF_ERROR(
       WriteOutputs(staged.path(), request, result, capture, ready, Sha256Hex(calibration_bytes), context));
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
 
   ReconstructSummary summary;
-  for (const auto& entry : std::filesystem::directory_iterator(staged.path())) {
-    summary.files.push_back(entry.path().filename().string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(staged.path())) {
+    if (!entry.is_regular_file()) continue;
+    summary.files.push_back(std::filesystem::relative(entry.path(), staged.path()).generic_string());
   }
   std::sort(summary.files.begin(), summary.files.end());
   DORSUM_RETURN_IF_ERROR(staged.Commit());
+  RemoveEarlierFiles(request.out_dir, summary.files);
   summary.points = result.points.size();
   summary.faces = result.mesh.faces.size();
   summary.warnings = result.warnings;

@@ -15,19 +15,18 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   t.Add("mask-open-px", &o->hand_mask.open_px, 1, 99, "side of the mask's opening, px");
   t.Add("mask-min-contrast", &o->hand_mask.min_contrast, 0.0, 255.0,
         "least contrast of the object, grey values");
-  t.Add("stripe-block-px", &o->stripe_mask.block_px, 3, 999,
-        "window of the stripes' adaptive threshold, px, odd");
+  t.Add("stripe-block-px", &o->stripe_mask.block_px, 3, 999, "window of the stripes' adaptive threshold, px");
   t.Add("stripe-offset", &o->stripe_mask.offset, 0.0, 255.0,
         "edge response above its local mean, grey values");
-  t.Add("stripe-median-px", &o->stripe_mask.median_px, 1, 15, "side of the stripe mask's median, px, odd");
+  t.Add("stripe-median-px", &o->stripe_mask.median_px, 1, 15, "side of the stripe mask's median, px");
   t.Add("stripe-min-area-px", &o->segments.min_area_px, 1, 100000, "smallest stripe region, px");
   t.Add("stripe-min-rows", &o->segments.min_rows, 1, 10000, "shortest stripe, px");
   t.Add("smooth-rows", &o->smoothing.half_window_rows, 0, 1000, "rows on either side smoothed together, px");
   t.Add("smooth-max-step-px", &o->smoothing.max_step_px, 0.1, 100.0, "jump that parts a stripe, px");
   t.Add("gap-spacings", &o->classic_indexing.gaps.max_spacings, 1.0, 3.0,
         "V of Algorithm 2, in usual spacings");
-  t.Add("central-ratio", &o->classic_indexing.alignment.min_ratio, 1.0, 10.0,
-        "brightness of the central stripe over its neighbours'");
+  t.Add("central-contrast", &o->classic_indexing.alignment.min_contrast, 0.0, 1.0,
+        "share of the central order's contrast that a level must show to be central");
   t.Add("pitch-mm", &o->height_field.pitch_mm, 0.1, 5.0, "grid of the height field, mm");
   t.Add("max-gap-mm", &o->height_field.max_gap_mm, 0.5, 50.0,
         "widest gap between stripes that is bridged, mm");

@@ -9,50 +9,50 @@
 namespace dorsum {
 namespace {
 
+// All points of one level: sums while collecting, then means.
 struct Level {
-  double peak = 0.0;  // sum, then mean, over its points
-  double bottom = 0.0,
-         top = 0.0;  // sums, then means, of its points' orders at the ends of the working volume
+  double log_peak = 0.0;
+  double bottom = 0.0, top = 0.0;  // orders at the ends of the working volume
   double points = 0.0;
 };
+using Levels = std::map<int, Level>;
 
-std::map<int, Level> SummariseLevels(const StripeTree& tree, const OrderRange& range,
-                                     const LaserStripes& stripes) {
-  std::map<int, Level> levels;
+Levels SummariseLevels(const StripeTree& tree, const OrderRange& range, const LaserStripes& stripes) {
+  Levels levels;
   for (std::size_t s = 0; s < stripes.segments.size(); ++s) {
     const StripeSegment& segment = stripes.segments[s];
     Level& level = levels[tree.nodes[s].level];
     for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
       const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
       const auto [bottom, top] = range(p.u, p.v);
-      level.peak += p.peak;
+      level.log_peak += std::log(std::max(1.0F, p.peak));
       level.bottom += bottom;
       level.top += top;
       level.points += 1.0;
     }
   }
   for (auto& [index, level] : levels) {
-    level.peak /= level.points;
+    level.log_peak /= level.points;
     level.bottom /= level.points;
     level.top /= level.points;
   }
   return levels;
 }
 
-// A central order stands out against its neighbours: the mean of those that are there.
-double RatioToNeighbours(const std::map<int, Level>& levels, int index) {
-  double sum = 0.0;
-  int count = 0;
-  for (const int neighbour : {index - 1, index + 1}) {
-    const auto it = levels.find(neighbour);
-    if (it == levels.end()) continue;
-    sum += it->second.peak;
-    ++count;
-  }
-  return count == 0 || sum <= 0.0 ? 0.0 : levels.at(index).peak * count / sum;
-}
+// What the brightness of a level says of its being the central one.
+// Its dimness says nothing: a slope or an edge can dim it.
+enum class Evidence { kNone, kFor };
 
-double MedianPoints(const std::map<int, Level>& levels) {
+// What speaks for the level `central` being order 0.
+struct Candidate {
+  int central = 0;
+  Evidence evidence = Evidence::kNone;
+  double in_volume = 0.0;  // share of points
+  double mismatch = 0.0;   // of brightness: standard deviation of a logarithm
+  double height = 0.0;     // mean place in the working volume, 0 bottom, 1 top
+};
+
+double MedianPoints(const Levels& levels) {
   std::vector<double> points;
   for (const auto& [index, level] : levels) points.push_back(level.points);
   const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
@@ -60,38 +60,93 @@ double MedianPoints(const std::map<int, Level>& levels) {
   return *middle;
 }
 
-}  // namespace
+// Does the level stand out against those beside it, as order 0 does on the backplane?
+Evidence Contrast(const Levels& levels, const ReferencePeak& reference_peak, int central,
+                  const CentralAlignmentOptions& options) {
+  const double least = options.min_points_share * MedianPoints(levels);
+  const auto here = levels.find(central);
+  if (here == levels.end() || here->second.points < least) return Evidence::kNone;
+  double seen = 0.0, expected = 0.0;
+  int neighbours = 0;
+  for (const int side : {-1, 1}) {
+    const auto beside = levels.find(central + side);
+    if (beside == levels.end() || beside->second.points < least) continue;
+    seen += here->second.log_peak - beside->second.log_peak;
+    expected += std::log(reference_peak(0) / reference_peak(side));
+    ++neighbours;
+  }
+  if (neighbours == 0) return Evidence::kNone;
+  // One neighbour alone proves less than two.
+  const double needed = neighbours == 2 ? options.min_contrast : 0.5 * (1.0 + options.min_contrast);
+  return seen >= needed * expected ? Evidence::kFor : Evidence::kNone;
+}
 
-int AlignToCentralStripe(const StripeTree& tree, const OrderRange& range,
-                         const CentralAlignmentOptions& options, LaserStripes* stripes) {
-  const std::map<int, Level> levels = SummariseLevels(tree, range, *stripes);
-  if (levels.empty()) return 0;
-  constexpr double kSlack = 0.2;  // orders: surfaces may touch the ends of the working volume
-  const double least_points = options.min_points_share * MedianPoints(levels);
-  int central = 0;
-  double brightest = -1.0;
+Candidate Judge(const Levels& levels, const ReferencePeak& reference_peak, int central,
+                const CentralAlignmentOptions& options) {
+  constexpr double kSlack = 0.1;  // orders: surfaces may touch the ends of the working volume
+  Candidate c;
+  c.central = central;
+  c.evidence = Contrast(levels, reference_peak, central, options);
+  double points = 0.0, inside = 0.0, sum = 0.0, squares = 0.0;
+  for (const auto& [index, level] : levels) {
+    const int order = index - central;
+    const auto [low, high] = std::minmax(level.bottom, level.top);
+    points += level.points;
+    if (order < low - kSlack || order > high + kSlack) continue;
+    inside += level.points;
+    const double ratio = level.log_peak - std::log(std::max(1e-6, reference_peak(order)));
+    sum += level.points * ratio;
+    squares += level.points * ratio * ratio;
+    c.height += level.points * (order - level.bottom) / (level.top - level.bottom);
+  }
+  if (inside <= 0.0) return c;
+  c.in_volume = inside / points;
+  c.height /= inside;
+  c.mismatch = std::sqrt(std::max(0.0, squares / inside - std::pow(sum / inside, 2)));
+  return c;
+}
+
+std::vector<Candidate> Candidates(const Levels& levels, const ReferencePeak& reference_peak,
+                                  const CentralAlignmentOptions& options) {
+  // Every numbering that puts some level into the working volume.
+  int first = 0, last = 0;
+  bool any = false;
   for (const auto& [index, level] : levels) {
     const auto [low, high] = std::minmax(level.bottom, level.top);
-    const bool possible = low - kSlack <= 0.0 && high + kSlack >= 0.0;
-    if (!possible || level.points < least_points || level.peak <= brightest) continue;
-    if (RatioToNeighbours(levels, index) < options.min_ratio) continue;
-    brightest = level.peak;
-    central = index;
+    const int from = index - static_cast<int>(std::ceil(high)),
+              to = index - static_cast<int>(std::floor(low));
+    first = any ? std::min(first, from) : from;
+    last = any ? std::max(last, to) : to;
+    any = true;
   }
-  if (brightest < 0.0) {
-    // No central stripe on the object: the largest level takes the order that puts it lowest in the volume.
-    const auto largest = std::max_element(levels.begin(), levels.end(), [](const auto& a, const auto& b) {
-      return a.second.points < b.second.points;
-    });
-    const Level& level = largest->second;
-    const double order =
-        level.top > level.bottom ? std::ceil(level.bottom - kSlack) : std::floor(level.bottom + kSlack);
-    central = largest->first - static_cast<int>(order);
+  constexpr int kMost = 1000;  // a working volume that reaches the grating would make this endless
+  last = std::min(last, first + kMost);
+  std::vector<Candidate> all;
+  double most = 0.0;
+  for (int central = first; central <= last; ++central) {
+    all.push_back(Judge(levels, reference_peak, central, options));
+    most = std::max(most, all.back().in_volume);
   }
+  std::erase_if(all, [&](const Candidate& c) { return c.in_volume < std::min(options.min_in_volume, most); });
+  return all;
+}
+
+}  // namespace
+
+int AlignToCentralStripe(const StripeTree& tree, const OrderRange& range, const ReferencePeak& reference_peak,
+                         const CentralAlignmentOptions& options, LaserStripes* stripes) {
+  const Levels levels = SummariseLevels(tree, range, *stripes);
+  if (levels.empty()) return 0;
+  const std::vector<Candidate> candidates = Candidates(levels, reference_peak, options);
+  const auto better = [](const Candidate& a, const Candidate& b) {
+    if (a.evidence != b.evidence) return a.evidence > b.evidence;
+    return a.evidence == Evidence::kFor ? a.mismatch < b.mismatch : a.height < b.height;
+  };
+  const Candidate& chosen = *std::min_element(candidates.begin(), candidates.end(), better);
   for (std::size_t s = 0; s < stripes->segments.size(); ++s) {
-    stripes->segments[s].order = tree.nodes[s].level - central;
+    stripes->segments[s].order = tree.nodes[s].level - chosen.central;
   }
-  return central;
+  return chosen.central;
 }
 
 }  // namespace dorsum

@@ -23,6 +23,7 @@ IndexedStripes IndexClassic(std::vector<LaserStripes> stripes, const DeviceGeome
 // The same for one laser whose geometry is given by functions alone: on the background, before sheets are
 // known, and in tests. Returns the diagnostics.
 IndexingDiagnostics IndexClassicOne(const BackplaneOrder& backplane_order, const OrderRange& range,
+                                    const ReferencePeak& reference_peak,
                                     const ClassicIndexingOptions& options, LaserStripes* stripes);
 
 }  // namespace dorsum

@@ -61,6 +61,21 @@ Predecessor NearestIndexed(const std::vector<double>& mean_order, const LaserStr
   return best;
 }
 
+// The segment with those of its line of ancestors that were not reached before, the oldest first: a stripe on
+// a slope can lie further right on the backplane's scale than its child.
+std::vector<std::int32_t> UnreachedAncestors(const std::vector<Predecessor>& parents, std::int32_t segment,
+                                             std::vector<char>* reached) {
+  std::vector<std::int32_t> line;
+  for (std::int32_t i = segment; i != kNoPoint; i = parents[static_cast<std::size_t>(i)].segment) {
+    char& seen = (*reached)[static_cast<std::size_t>(i)];
+    if (seen != 0) break;
+    seen = 1;
+    line.push_back(i);
+  }
+  std::reverse(line.begin(), line.end());
+  return line;
+}
+
 }  // namespace
 
 int CorrectGaps(const LaserStripes& stripes, const BackplaneOrder& backplane_order,
@@ -80,20 +95,27 @@ int CorrectGaps(const LaserStripes& stripes, const BackplaneOrder& backplane_ord
   std::stable_sort(by_place.begin(), by_place.end(), [&](std::int32_t i, std::int32_t j) {
     return mean_order[static_cast<std::size_t>(i)] < mean_order[static_cast<std::size_t>(j)];
   });
+  std::vector<Predecessor> parents(n);
+  for (std::size_t s = 0; s < n; ++s) {
+    parents[s] = StrongestParent(stripes, orders, static_cast<std::int32_t>(s), tree->nodes[s].parents);
+  }
   int corrections = 0;
+  std::vector<char> reached(n, 0);
   for (const std::int32_t i : by_place) {
-    const auto index = static_cast<std::size_t>(i);
-    Predecessor p = StrongestParent(stripes, orders, i, tree->nodes[index].parents);
-    const bool has_parent = p.segment != kNoPoint;
-    if (!has_parent && !indexed.empty()) p = NearestIndexed(mean_order, stripes, i, indexed);
-    if (p.segment != kNoPoint) {
-      const int steps =
-          has_parent && p.spacings <= options.max_spacings ? 1 : static_cast<int>(std::lround(p.spacings));
-      // Going from left to right, the corrected level of the predecessor propagates to its children here.
-      tree->nodes[index].level = tree->nodes[static_cast<std::size_t>(p.segment)].level + steps;
-      if (steps != 1) ++corrections;
+    // Going from left to right, the corrected level of the predecessor propagates to its children here.
+    for (const std::int32_t k : UnreachedAncestors(parents, i, &reached)) {
+      const auto index = static_cast<std::size_t>(k);
+      Predecessor p = parents[index];
+      const bool has_parent = p.segment != kNoPoint;
+      if (!has_parent && !indexed.empty()) p = NearestIndexed(mean_order, stripes, k, indexed);
+      if (p.segment != kNoPoint) {
+        const int steps =
+            has_parent && p.spacings <= options.max_spacings ? 1 : static_cast<int>(std::lround(p.spacings));
+        tree->nodes[index].level = tree->nodes[static_cast<std::size_t>(p.segment)].level + steps;
+        if (steps != 1) ++corrections;
+      }
+      indexed.push_back(k);
     }
-    indexed.push_back(i);
   }
   return corrections;
 }

@@ -84,6 +84,7 @@ class PlyReader {
   // Values of the next row of scalars by property name; the last one of a list property is put into `list`.
   Status ReadRow(const Element& element, std::vector<double>* scalars, std::vector<double>* list) {
     scalars->clear();
+    list->clear();
     for (const Property& p : element.properties) {
       std::size_t count = 1;
       if (p.is_list) {
@@ -137,6 +138,10 @@ class PlyReader {
         }
         elements_.back().properties.push_back(p);
       }
+    }
+    // Rows without values would never meet the end of the file, however many the header claims.
+    for (const Element& e : elements_) {
+      if (e.count > 0 && e.properties.empty()) return Damaged("its header is damaged");
     }
     return {};
   }
@@ -226,6 +231,9 @@ Result<SurfacePoints> ReadPointsPly(const std::filesystem::path& path) {
     p.position = {row[c[0]], row[c[1]], row[c[2]]};
     p.normal = {row[c[3]], row[c[4]], row[c[5]]};
     if (!p.position.allFinite()) return reader.Damaged("point " + std::to_string(i) + " is not a number");
+    if (!(row[c[6]] >= 0.0 && row[c[6]] <= 255.0 && std::abs(row[c[7]]) <= 32767.0)) {
+      return reader.Damaged("point " + std::to_string(i) + " has no such laser or order");
+    }
     p.laser = static_cast<std::uint8_t>(row[c[6]]);
     p.order = static_cast<std::int16_t>(row[c[7]]);
     p.u = static_cast<float>(row[c[8]]);

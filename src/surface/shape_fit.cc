@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/shape_fit.h"
 
-#include <Eigen/Dense>
 #include <cmath>
-#include <functional>
+#include <optional>
+
+#include <Eigen/Dense>
 
 namespace dorsum {
 namespace {
@@ -63,27 +64,59 @@ ShapeFit Changed(const ShapeFit& fit, const Eigen::VectorXd& d) {
   return out;
 }
 
-ShapeFit Refine(ShapeFit fit, const Points& points) {
+// A fit after its refinement, and how well the points tell its parameters apart.
+struct Refined {
+  ShapeFit fit;
+  double squares = 0.0;     // sum over the points
+  double determined = 0.0;  // least eigenvalue of the normal matrix of a point; 0: some change costs nothing
+};
+
+Refined Refine(ShapeFit fit, const Points& points) {
   const int n = fit.shape == Shape::kSphere ? 4 : 5;
   constexpr double kStep = 1e-6;
+  Refined out;
   for (int iteration = 0; iteration < 50; ++iteration) {
     std::vector<ShapeFit> beside;
     for (int k = 0; k < n; ++k) beside.push_back(Changed(fit, kStep * Eigen::VectorXd::Unit(n, k)));
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+    out.squares = 0.0;
     for (const auto& p : points) {
       const double distance = fit.Distance(p);
       Eigen::VectorXd row(n);
-      for (int k = 0; k < n; ++k) row[k] = (beside[static_cast<std::size_t>(k)].Distance(p) - distance) / kStep;
+      for (int k = 0; k < n; ++k)
+        row[k] = (beside[static_cast<std::size_t>(k)].Distance(p) - distance) / kStep;
       normal += row * row.transpose();
       right -= row * distance;
+      out.squares += distance * distance;
     }
+    out.fit = fit;
+    out.determined = normal.allFinite()
+                         ? Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(normal).eigenvalues()[0] /
+                               static_cast<double>(points.size())
+                         : 0.0;
     const Eigen::VectorXd change = normal.ldlt().solve(right);
     if (!change.allFinite()) break;
     fit = Changed(fit, change);
     if (change.norm() < 1e-9) break;
   }
-  return fit;
+  out.fit.radius_mm = std::abs(out.fit.radius_mm);
+  return out;
+}
+
+// Starts from the sphere, or from the cylinder whose axis is the last column of `frame`, that fits
+// algebraically.
+Refined FitFrom(Shape shape, const Eigen::Matrix3d& frame, const Points& points,
+                const Eigen::Vector3d& mean) {
+  Points relative;
+  for (const auto& p : points) relative.emplace_back(frame.transpose() * (p - mean));
+  ShapeFit start;
+  start.shape = shape;
+  Eigen::Vector3d center;
+  AlgebraicSphere(relative, shape == Shape::kCylinder ? 2 : 3, &center, &start.radius_mm);
+  start.center = mean + frame * center;
+  if (shape == Shape::kCylinder) start.axis = frame.col(2);
+  return Refine(start, points);
 }
 
 }  // namespace
@@ -111,20 +144,30 @@ Result<ShapeFit> FitShape(Shape shape, const Points& points) {
     fit.axis = axes.col(0).z() < 0.0 ? Eigen::Vector3d(-axes.col(0)) : Eigen::Vector3d(axes.col(0));
     return fit;
   }
-  // The cylinder's axis starts along the points' greatest extent, seen along which they lie on a circle.
-  Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
-  if (shape == Shape::kCylinder) frame << axes.col(0), axes.col(1), axes.col(2);
-  Points relative;
-  for (const auto& p : points) relative.emplace_back(frame.transpose() * (p - mean));
-  Eigen::Vector3d center;
-  AlgebraicSphere(relative, shape == Shape::kCylinder ? 2 : 3, &center, &fit.radius_mm);
-  fit.center = mean + frame * center;
-  if (shape == Shape::kCylinder) fit.axis = frame.col(2);
-  fit = Refine(fit, points);
-  fit.radius_mm = std::abs(fit.radius_mm);
-  if (!fit.center.allFinite() || !std::isfinite(fit.radius_mm) || fit.radius_mm > 1e5) {
-    return BadInput("the points do not determine the shape; are they flat?");
+  // Points of a cylinder may reach further along its axis or around it: each principal axis is tried.
+  std::vector<Eigen::Matrix3d> frames = {Eigen::Matrix3d::Identity()};
+  if (shape == Shape::kCylinder) {
+    frames[0] << axes.col(0), axes.col(1), axes.col(2);
+    for (int turn = 1; turn < 3; ++turn) {
+      const Eigen::Matrix3d& last = frames.back();
+      Eigen::Matrix3d next;
+      next << last.col(2), last.col(0), last.col(1);
+      frames.push_back(next);
+    }
   }
+  std::optional<Refined> best;
+  for (const Eigen::Matrix3d& frame : frames) {
+    const Refined one = FitFrom(shape, frame, points, mean);
+    // Small caps leave about 1e-6; points on a line, on a plane or all in one place nothing but rounding.
+    const bool usable = one.fit.center.allFinite() && one.fit.radius_mm < 1e5 && one.determined > 1e-8;
+    if (usable && (!best || one.squares < best->squares)) best = one;
+  }
+  // Spheres and cylinders come as close to a plane as one likes: who fits worse than it has lost its way.
+  double squares_of_plane = 0.0;
+  for (const auto& p : points) squares_of_plane += std::pow(axes.col(0).dot(p - mean), 2);
+  if (!best || best->squares > squares_of_plane)
+    return BadInput("the points do not determine the shape; are they flat?");
+  fit = best->fit;
   return fit;
 }
 

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "base/json.h"
+#include "cli/bad_images_test.h"
+#include "cli/program_test.h"
+
+namespace dorsum {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BadCaptureTest : public ProgramTest {
+ protected:
+  // Runs on a damaged capture, whose message must hold `culprits`, and leaves the next case a whole one.
+  void Refused(const std::string& what, const std::vector<std::string>& culprits) {
+    SCOPED_TRACE(what);
+    ExpectRefused(Reconstruct(), 3, culprits);
+    ExpectNothingWritten();
+    fs::remove_all(*this / "capture");
+  }
+};
+
+TEST_F(BadCaptureTest, AnImageThatIsNoGoodIsNamed) {
+  for (const char* name : {"bgHand", "stripesHand1"}) {
+    for (const BadImage& bad : BadImages()) {
+      const bool absent = bad.what == std::string("missing") || bad.what == std::string("a folder");
+      if (absent && name != std::string("bgHand")) continue;  // a warning, as the next test has it
+      bad.spoil(Capture(), name);
+      const bool names_other = bad.what == std::string("of another size") && name == std::string("bgHand");
+      Refused(std::string(name) + " is " + bad.what, {names_other ? "stripesHand0" : name, bad.culprit});
+    }
+  }
+}
+
+TEST_F(BadCaptureTest, AMissingStripeImageIsAWarning) {
+  fs::remove(Capture() / "stripesHand1.png");
+  const ProgramRun run = Reconstruct(ScanFixture::CalibrationJson(), {"--no-report"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err.rfind("dorsum: warning: ", 0), 0U) << run.err;
+  EXPECT_NE(run.err.find("stripesHand1"), std::string::npos) << run.err;
+  EXPECT_TRUE(fs::exists(*this / "out" / "hand" / "points.ply"));
+  EXPECT_EQ(Reconstruct(ScanFixture::CalibrationJson(), {"--no-report", "--quiet"}).err, "");
+}
+
+TEST_F(BadCaptureTest, AFolderWithoutImages) {
+  fs::create_directories(*this / "capture");
+  Refused("empty", {"bgHand", "capture"});
+  Capture();
+  for (int k = 0; k < 3; ++k) fs::remove(*this / "capture" / ("stripesHand" + std::to_string(k) + ".png"));
+  Refused("no stripes", {"stripesHand0"});
+  const ProgramRun run = RunProgram(
+      {"reconstruct", *this / "none", "-c", ScanFixture::CalibrationJson(), "-o", *this / "out" / "hand"});
+  ExpectRefused(run, 3, {(*this / "none").string()});
+  ExpectNothingWritten();
+}
+
+TEST_F(BadCaptureTest, BlackAndWhiteImages) {
+  for (const char* name : {"bgHand", "stripesHand2"}) {
+    for (const int grey : {0, 255}) {
+      const cv::Mat image(420, 560, CV_8UC3, cv::Scalar::all(grey));
+      PutImage(Capture() / (std::string(name) + ".png"), image);
+      Refused(name, {name, grey == 0 ? "black" : "white"});
+    }
+  }
+}
+
+TEST_F(BadCaptureTest, NoHandInThePicture) {
+  fs::copy_file(ScanFixture::CalibrationDir() / "bgNoHand.png", Capture() / "bgHand.png",
+                fs::copy_options::overwrite_existing);
+  Refused("bgHand = bgNoHand", {"no hand"});
+}
+
+TEST_F(BadCaptureTest, ALampThatMovedSinceTheCalibration) {
+  cv::Mat image = GetImage(Capture() / "bgHand.png");
+  image *= 0.2;
+  PutImage(*this / "capture" / "bgHand.png", image);
+  Refused("darker", {"bgHand"});
+}
+
+// The pictures of a chessboard instead of a hand's, and a picture of stripes instead of bgHand: whatever is
+// made of them, no crash and no half-written folder.
+TEST_F(BadCaptureTest, PicturesOfSomethingElse) {
+  const auto tries = [&](const char* image, const char* from) {
+    fs::copy_file(ScanFixture::CalibrationDir() / (std::string(from) + ".png"),
+                  Capture() / (std::string(image) + ".png"), fs::copy_options::overwrite_existing);
+    const ProgramRun run = Reconstruct(ScanFixture::CalibrationJson(), {"--no-report"});
+    SCOPED_TRACE(std::string(image) + " is " + from);
+    if (run.code == 0) {
+      EXPECT_TRUE(fs::exists(*this / "out" / "hand" / "report.json"));
+      fs::remove_all(*this / "out" / "hand");
+    } else {
+      ExpectRefused(run, 3, {});
+    }
+    ExpectNothingWritten();
+    fs::remove_all(*this / "capture");
+  };
+  tries("bgHand", "chess00");
+  tries("bgHand", "chess05");
+  tries("bgHand", "stripesBg1");
+  tries("bgHand", "laserCalCloserBg");
+  tries("stripesHand0", "chess03");
+  tries("stripesHand1", "laser0CalFurther");
+  tries("stripesHand2", "laserCalFurtherBg");
+}
+
+TEST_F(BadCaptureTest, ALaserThatTheCalibrationDoesNotKnow) {
+  ExpectRefused(Reconstruct(ScanFixture::CalibrationJson(), {"--lasers", "5"}), 2, {"5"});
+  ExpectNothingWritten();
+}
+
+TEST_F(BadCaptureTest, ACaptureOfAnotherCamera) {
+  for (const auto& entry : fs::directory_iterator(Capture())) {
+    cv::Mat image = GetImage(entry.path());
+    cv::resize(image, image, {400, 300});
+    PutImage(entry.path(), image);
+  }
+  Refused("all 400x300", {"560x420", "400x300"});
+}
+
+TEST_F(BadCaptureTest, ACalibrationFileThatIsNoGood) {
+  const std::string whole = WholeFile(ScanFixture::CalibrationJson());
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", "c.json"},
+      {"{}", "schema"},
+      {"[]", "c.json"},
+      {"null", "c.json"},
+      {whole.substr(0, whole.size() / 2), "c.json"},
+      {whole.substr(0, 300), "c.json"},
+      {replaced("dorsum/calibration", "dorsum/report"), "schema"},
+      {replaced("\"version\": 1", "\"version\": 99"), "version"},
+      {replaced("\"width\": 560", "\"width\": NaN"), "c.json"},
+      {replaced("\"width\": 560", "\"width\": 1e400"), "c.json"},
+      {replaced("\"width\": 560", "\"width\": 560.5"), "width"},
+      {replaced("\"width\": 560", "\"width\": -560"), "width"},
+      {replaced("\"width\": 560", "\"width\": 561"), "561x420"},
+      {replaced("\"camera_matrix\": [", "\"camera_matrix\": [0,"), "camera_matrix"},
+      {replaced("\"lasers\": [", "\"lasers\": [3,"), "lasers"},
+      {replaced("\"lasers\"", "\"masers\""), "lasers"},
+      {replaced("\"background_image_base64\": \"", "\"background_image_base64\": \"!"), "background"},
+      {replaced("\"background_image_base64\": \"", "\"background_image_base64\": \"QUJD"), "background"},
+      {std::string(100000, '['), "c.json"},
+  };
+  const fs::path path = *this / "c.json";
+  for (const auto& [text, culprit] : cases) {
+    SCOPED_TRACE(text.substr(0, 60) + "… expecting " + culprit);
+    PutFile(path, text);
+    Capture();
+    ExpectRefused(Reconstruct(path), 3, {culprit, "c.json"});
+    ExpectNothingWritten();
+  }
+  ExpectRefused(Reconstruct(*this / "none.json"), 3, {"none.json"});
+  ExpectRefused(Reconstruct(*this / "capture"), 3, {(*this / "capture").string()});
+  ExpectNothingWritten();
+}
+
+TEST_F(BadCaptureTest, NowhereToWrite) {
+  PutFile(*this / "file", "mine");
+  for (const char* out : {"file", "file/below", "file/below/deep"}) {
+    const ProgramRun run = RunProgram({"reconstruct", ScanFixture::CaptureDir(ScanFixture::kBox), "-c",
+                                       ScanFixture::CalibrationJson(), "-o", *this / out});
+    ExpectRefused(run, 3, {(*this / out).string()});
+  }
+  EXPECT_EQ(Everything(*this / ""), (std::set<std::string>{"file", "out"}));
+  EXPECT_EQ(WholeFile(*this / "file"), "mine");
+}
+
+TEST_F(BadCaptureTest, AFolderThatMayNotBeWrittenTo) {
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";
+  fs::permissions(*this / "out", fs::perms::owner_read | fs::perms::owner_exec);
+  ExpectRefused(Reconstruct(), 3, {"out"});
+  fs::permissions(*this / "out", fs::perms::owner_all);
+  ExpectNothingWritten();
+}
+
+TEST_F(BadCaptureTest, ASettingsFileThatIsNoGood) {
+  const fs::path settings = *this / "settings.toml";
+  for (const auto& [text, culprit] :
+       std::vector<std::pair<std::string, std::string>>{{"[reconstruct", "settings.toml"},
+                                                        {"reconstruct = 3", "reconstruct"},
+                                                        {"[reconstruct]\npitch = 1.0", "pitch"},
+                                                        {"[reconstruct]\npitch-mm = 100.0", "pitch-mm"},
+                                                        {"[reconstruct]\npitch-mm = nan", "pitch-mm"},
+                                                        {"[reconstruct]\npitch-mm = [1, 2]", "pitch-mm"},
+                                                        {"[reconstruct]\nstripes = \"ridges\"", "ridges"}}) {
+    PutFile(settings, text);
+    ExpectRefused(Reconstruct(ScanFixture::CalibrationJson(), {"--settings", settings}), 3,
+                  {"settings.toml", culprit});
+    ExpectNothingWritten();
+  }
+}
+
+TEST_F(BadCaptureTest, OptionsThatLeaveNothingDoNotCrash) {
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--stripe-min-rows", "10000"},
+                                             {"--stripe-min-area-px", "100000"},
+                                             {"--stripe-offset", "255"},
+                                             {"--mask-min-contrast", "255"},
+                                             {"--stripe-block-px", "999"},
+                                             {"--stripe-block-px", "60"},
+                                             {"--stripe-median-px", "4"},
+                                             {"--mask-open-px", "99"},
+                                             {"--mask-open-px", "2"},
+                                             {"--smooth-rows", "1000"},
+                                             {"--max-gap-mm", "0.5", "--max-slope-deg", "10"},
+                                             {"--pitch-mm", "0.1"},
+                                             {"--pitch-mm", "5"}}) {
+    SCOPED_TRACE(options[0] + " " + options[1]);
+    std::vector<std::string> arguments = options;
+    arguments.emplace_back("--no-report");
+    const ProgramRun run = Reconstruct(ScanFixture::CalibrationJson(), arguments);
+    if (run.code == 0) {
+      EXPECT_TRUE(fs::exists(*this / "out" / "hand" / "points.ply"));
+      fs::remove_all(*this / "out" / "hand");
+    } else {
+      ExpectRefused(run, run.code == 2 ? 2 : 3, {});
+    }
+    ExpectNothingWritten();
+  }
+}
+
+// A report is opened in a browser: what people name their folders and boards must stay text.
+TEST_F(BadCaptureTest, AHostileNameStaysTextInTheReport) {
+  const fs::path capture = *this / "<script>alert(1)<" / "<img src=x onerror=alert(2)>\"'&";
+  fs::create_directories(capture.parent_path());
+  ScanFixture::CopyFolder(ScanFixture::CaptureDir(ScanFixture::kBox), capture);
+  fs::remove(capture / "stripesHand0.png");  // so that a warning names the folder too
+  const fs::path out = *this / "out" / "hand";
+  const ProgramRun run =
+      RunProgram({"reconstruct", capture, "-c", ScanFixture::CalibrationJson(), "-o", out, "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string html = WholeFile(out / "report.html");
+  EXPECT_NE(html.find("&lt;img src=x onerror=alert(2)&gt;"), std::string::npos);
+  EXPECT_EQ(html.find("<img src=x"), std::string::npos);
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_TRUE(ReadJson(out / "report.json").ok());
+  EXPECT_FALSE(Json::parse(run.out, nullptr, false).is_discarded());
+}
+
+// Linux names are bytes; JSON and HTML are UTF-8.
+TEST_F(BadCaptureTest, ANameThatIsNoUtf8IsNotOurFault) {
+  const fs::path capture = *this / "caf\xe9 \xff";
+  ScanFixture::CopyFolder(ScanFixture::CaptureDir(ScanFixture::kBox), capture);
+  fs::remove(capture / "stripesHand0.png");
+  const fs::path out = *this / "out" / "hand";
+  const ProgramRun run =
+      RunProgram({"reconstruct", capture, "-c", ScanFixture::CalibrationJson(), "-o", out, "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(ReadJson(out / "report.json").ok());
+  EXPECT_FALSE(Json::parse(run.out, nullptr, false).is_discarded());
+}
+
+}  // namespace
+}  // namespace dorsum
