@@ -34,6 +34,19 @@ Rigid3 CameraFromWorld(const Rigid3& camera_from_board) {
   return camera_from_board * board_from_world;
 }
 
+// Greatest angle between the board's normals in two views. Views of boards that all lie alike leave the focal
+// length open (Zhang 2000, section 3.1), however small their reprojection error is.
+double GreatestTurn(const std::vector<cv::Mat>& rvecs) {
+  std::vector<Eigen::Vector3d> normals;
+  for (const cv::Mat& rvec : rvecs)
+    normals.emplace_back(ToRigid(rvec, cv::Mat::zeros(3, 1, CV_64F)).rotation.col(2));
+  double least = 1.0;
+  for (const auto& a : normals) {
+    for (const auto& b : normals) least = std::min(least, a.dot(b));
+  }
+  return std::acos(std::clamp(least, -1.0, 1.0));
+}
+
 struct View {
   std::optional<std::vector<cv::Point2f>> corners;
   Status status;
@@ -85,7 +98,8 @@ Result<CameraCalibration> CalibrateCamera(const CalibrationSeries& series,
   std::vector<std::vector<cv::Point3f>> board_points;
   for (std::size_t i = 0; i < views.size(); ++i) {
     DORSUM_RETURN_IF_ERROR(views[i].status);
-    if (!views[i].corners) {
+    const auto& corners = views[i].corners;
+    if (!corners) {
       out.warnings.push_back("no chessboard of " + std::to_string(inner.width) + "x" +
                              std::to_string(inner.height) + " inner corners is seen whole in " +
                              series.chess_views[i] + "; going on without it");
@@ -97,7 +111,7 @@ Result<CameraCalibration> CalibrateCamera(const CalibrationSeries& series,
       continue;
     }
     out.views.push_back(series.chess_views[i]);
-    out.corners.push_back(*views[i].corners);
+    out.corners.push_back(*corners);
     board_points.push_back(ChessboardPoints(inner, series.setup.square_mm));
   }
   if (static_cast<int>(out.views.size()) < options.min_views) {
@@ -130,6 +144,12 @@ Result<CameraCalibration> CalibrateCamera(const CalibrationSeries& series,
     return BadInput(
         "the chessboard views do not determine the camera; capture them again with the board tilted "
         "differently in each");
+  }
+  if (GreatestTurn(rvecs) < options.min_turn) {
+    return BadInput(
+        "the chessboard lies alike in all views, which leaves the focal length open; capture chess00, "
+        "chess01, "
+        "… again with the board tilted differently in each");
   }
   for (int i = 0; i < view_errors.rows; ++i) out.view_rms_px.push_back(view_errors.at<double>(i));
   Judge(options, rms, &out);

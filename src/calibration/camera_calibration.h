@@ -18,6 +18,7 @@ struct CameraCalibrationOptions {
   int min_views = 4;             // fewest views with a board, 3 to 100
   double good_rms_px = 0.35;     // reprojection error up to which the camera is good
   double doubtful_rms_px = 1.0;  // and up to which it is merely doubtful
+  double min_turn = 0.1;         // least tilt between the two boards that differ most, rad, 0 to 1
 };
 
 struct CameraCalibration {

@@ -7,18 +7,6 @@
 #include "captures/names.h"
 
 namespace dorsum {
-namespace {
-
-// An image with no contrast in its green channel was taken with the light off, or is overexposed throughout.
-Status CheckExposure(const cv::Mat& bgr, const std::string& name) {
-  double low = 0.0, high = 0.0;
-  cv::minMaxLoc(GreenChannel(bgr), &low, &high);
-  if (high < 10.0) return BadInput(name + " is black; check the light and the exposure");
-  if (low > 245.0) return BadInput(name + " is white all over; lower the exposure");
-  return {};
-}
-
-}  // namespace
 
 Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
                                   const std::vector<int>& lasers) {

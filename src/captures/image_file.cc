@@ -29,6 +29,7 @@ Status CheckHeader(const ImageHeader& h, const std::string& name, std::optional<
                     " is expected; use images of one camera at one resolution");
   }
   if (!h.complete) return BadInput(name + " is cut off: its end is missing; copy or capture it again");
+  if (!h.intact) return BadInput(name + " is damaged; copy or capture it again");
   return {};
 }
 
@@ -75,6 +76,14 @@ cv::Mat GreenChannel(const cv::Mat& bgr) {
   cv::Mat green;
   cv::extractChannel(bgr, green, 1);
   return green;
+}
+
+Status CheckExposure(const cv::Mat& bgr, const std::string& name) {
+  double low = 0.0, high = 0.0;
+  cv::minMaxLoc(GreenChannel(bgr), &low, &high);
+  if (high < 10.0) return BadInput(name + " is black; check the light and the exposure");
+  if (low > 245.0) return BadInput(name + " is white all over; lower the exposure");
+  return {};
 }
 
 }  // namespace dorsum

@@ -3,12 +3,28 @@
 
 #include <cstdint>
 
+#include <zlib.h>
+
 namespace dorsum {
 namespace {
 
 std::uint32_t Byte(std::string_view s, std::size_t i) { return static_cast<unsigned char>(s[i]); }
 std::uint32_t Big16(std::string_view s, std::size_t i) { return Byte(s, i) << 8 | Byte(s, i + 1); }
 std::uint32_t Big32(std::string_view s, std::size_t i) { return Big16(s, i) << 16 | Big16(s, i + 2); }
+
+// Whether all chunks are there with the right checksums, up to IEND.
+bool ChunksAreIntact(std::string_view s) {
+  for (std::size_t i = 8; i + 12 <= s.size();) {
+    const std::size_t length = Big32(s, i);
+    if (length > s.size() - i - 12) return false;
+    const std::string_view chunk = s.substr(i + 4, length + 4);  // its type and its data
+    const auto* bytes = reinterpret_cast<const unsigned char*>(chunk.data());
+    if (crc32_z(0, bytes, chunk.size()) != Big32(s, i + 8 + length)) return false;
+    if (chunk.substr(0, 4) == "IEND") return true;
+    i += length + 12;
+  }
+  return false;
+}
 
 Result<ImageHeader> ReadPng(std::string_view s) {
   if (s.size() < 33 || s.substr(12, 4) != "IHDR") return BadInput("is a damaged PNG");
@@ -41,6 +57,7 @@ Result<ImageHeader> ReadPng(std::string_view s) {
       return BadInput("is a damaged PNG");
   }
   h.complete = s.substr(s.size() - 8, 4) == "IEND" || s.find("IEND", 33) != std::string_view::npos;
+  h.intact = ChunksAreIntact(s);
   return h;
 }
 

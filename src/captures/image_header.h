@@ -16,6 +16,7 @@ struct ImageHeader {
   int channels = 0;           // 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
   int bits = 0;               // per channel
   bool complete = false;      // the end marker is there
+  bool intact = true;         // the checksums are right; a JPEG has none
 };
 
 // Reads PNG's IHDR (W3C PNG §11.2.2) or JPEG's frame header (ITU-T T.81 B.2.2). The error is a phrase

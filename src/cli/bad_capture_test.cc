@@ -128,12 +128,12 @@ TEST_F(BadCaptureTest, ACalibrationFileThatIsNoGood) {
   };
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "c.json"},
-      {"{}", "schema"},
+      {"{}", "dorsum/calibration"},
       {"[]", "c.json"},
       {"null", "c.json"},
       {whole.substr(0, whole.size() / 2), "c.json"},
       {whole.substr(0, 300), "c.json"},
-      {replaced("dorsum/calibration", "dorsum/report"), "schema"},
+      {replaced("dorsum/calibration", "dorsum/report"), "dorsum/report"},
       {replaced("\"version\": 1", "\"version\": 99"), "version"},
       {replaced("\"width\": 560", "\"width\": NaN"), "c.json"},
       {replaced("\"width\": 560", "\"width\": 1e400"), "c.json"},

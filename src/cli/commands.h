@@ -21,6 +21,9 @@ void AddCommonOptions(CLI::App* command, Session* session);
 // outlive the parsing.
 void AddTable(CLI::App* command, OptionTable* table);
 
+// Accepts finite numbers from `min` to `max`; CLI::Range lets NaN pass.
+CLI::Validator NumberFrom(double min, double max);
+
 // Reads [section] of the settings file before the command line's own values, which win.
 Status ReadSettings(const std::string& path, const std::string& section, CLI::App* command,
                     OptionTable* table);

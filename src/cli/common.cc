@@ -30,6 +30,17 @@ void AddTable(CLI::App* command, OptionTable* table) {
   }
 }
 
+CLI::Validator NumberFrom(double min, double max) {
+  const auto text = [](double value) { return CLI::detail::to_string(value); };
+  const std::string range = text(min) + " to " + text(max);
+  const auto check = [min, max, range](const std::string& value) {
+    double number = 0.0;
+    const bool fine = CLI::detail::lexical_cast(value, number) && number >= min && number <= max;
+    return fine ? std::string() : value + " is no number from " + range;
+  };
+  return {check, "NUMBER from " + range};
+}
+
 Status ReadSettings(const std::string& path, const std::string& section, CLI::App* command,
                     OptionTable* table) {
   if (path.empty()) return {};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "base/version.h"
 #include "cli/commands.h"
@@ -24,6 +27,12 @@ int RunProgram(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const std::vector<std::string> rest = app.remaining();
+    if (app.get_subcommands().empty() && !rest.empty() && rest.front()[0] != '-') {
+      std::fprintf(stderr, "There is no command %s\nRun with --help for more information.\n",
+                   rest.front().c_str());
+      return dorsum::ExitCode(dorsum::ErrorCode::kUsage);
+    }
     const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
     return app.exit(error) == 0 && asked ? 0 : dorsum::ExitCode(dorsum::ErrorCode::kUsage);
   }

@@ -47,7 +47,7 @@ void AddEvaluate(CLI::App* app, Session* session) {
       app->add_subcommand("evaluate", "Measure how far a reconstruction is from what it should be (§5.1)");
   c->add_option("out_dir", arguments->dir, "folder that reconstruct wrote")->required();
   auto* plane = c->add_option("--plane-height", arguments->plane_height, "a flat top at this height, mm")
-                    ->check(CLI::Range(-1000.0, 1000.0));
+                    ->check(NumberFrom(-1000.0, 1000.0));
   auto* fit = c->add_option("--fit", arguments->fit, "a shape fitted to the points")
                   ->check(CLI::IsMember({"plane", "sphere", "cylinder"}));
   auto* against =
@@ -57,11 +57,11 @@ void AddEvaluate(CLI::App* app, Session* session) {
   c->add_option("--repeat", arguments->repeats,
                 "further reconstructions of the same object, for the differences (5.2)");
   c->add_option("--shrink-px", arguments->request.shrink_px, "how much the mask is shrunk, px")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(NumberFrom(0.0, 100.0))
       ->capture_default_str();
   c->add_option("--max-rmse", arguments->max_rmse,
                 "answer no (exit code 1) when the merged RMSE is above this, mm")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(NumberFrom(0.0, 1e6));
   AddCommonOptions(c, session);
   c->footer("Example: dorsum evaluate box25.5 --plane-height 25.5");
   c->callback([arguments, c, session] { Run(arguments.get(), *c, session); });

@@ -76,7 +76,8 @@ void Session::Warn(const std::vector<std::string>& warnings) {
 
 void Session::Print(const std::string& text, const Json& result) {
   EndProgress();
-  const std::string out = json ? result.dump(1) + "\n" : text;
+  // Names of files may hold any bytes; those that are not UTF-8 are replaced, since dump() would throw.
+  const std::string out = json ? result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n" : text;
   std::fwrite(out.data(), 1, out.size(), stdout);
 }
 

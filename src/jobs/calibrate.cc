@@ -20,7 +20,8 @@ namespace {
 Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSeries& series,
                                                              const ReadyCalibration& ready,
                                                              const CalibrateOptions& options,
-                                                             const Context& context) {
+                                                             const Context& context,
+                                                             std::vector<std::string>* warnings) {
   std::map<int, std::vector<HeightSample>> samples;
   ReconstructOptions reconstruct;
   reconstruct.correction = "none";
@@ -31,6 +32,7 @@ Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSe
     DORSUM_ASSIGN_OR_RETURN(
         const CaptureImages capture,
         LoadCapture(series.BoxDir(height), {series.setup.width, series.setup.height}, series.lasers));
+    warnings->insert(warnings->end(), capture.warnings.begin(), capture.warnings.end());
     Context quiet = context;
     quiet.progress = nullptr;
     DORSUM_ASSIGN_OR_RETURN(const Reconstruction box, ReconstructPoints(capture, ready, reconstruct, quiet));
@@ -80,7 +82,8 @@ Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& o
   if (!series.box_heights_mm.empty()) {
     DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
                             PrepareCalibration(calibration, series.dir.string()));
-    DORSUM_ASSIGN_OR_RETURN(auto samples, SampleBoxes(series, ready, options, context));
+    DORSUM_ASSIGN_OR_RETURN(auto samples,
+                            SampleBoxes(series, ready, options, context, &calibration.warnings));
     for (LaserGeometry& laser : calibration.device.lasers) {
       LaserCorrection evidence;
       evidence.laser = laser.laser;
@@ -143,6 +146,8 @@ Status CheckTarget(const std::filesystem::path& out) {
 Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,
                                        const Context& context) {
   CalibrationRun run;
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, series.Read(kBgNoHandName));
+  DORSUM_RETURN_IF_ERROR(CheckExposure(background, (series.dir / kBgNoHandName).string()));
   DORSUM_ASSIGN_OR_RETURN(run.classic, CalibrateClassic(series, options.classic, context));
   Calibration& c = run.calibration;
   c.method = options.method;

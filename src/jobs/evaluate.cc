@@ -9,6 +9,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
+#include "captures/image_file.h"
+#include "captures/image_header.h"
 #include "surface/mesh_height.h"
 #include "surface/ply.h"
 
@@ -25,10 +27,14 @@ struct Judged {
 Result<cv::Mat> ReadShrunkMask(const std::filesystem::path& dir, double shrink_px) {
   const std::filesystem::path path = dir / "mask.png";
   DORSUM_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path, std::size_t{256} << 20));
+  const Result<ImageHeader> header = ReadImageHeader(bytes);
+  const bool usable = header.ok() && header->complete && header->intact &&
+                      static_cast<long>(header->width) * header->height <= kMaxPixels;
+  if (!usable) return BadInput(path.string() + " is no image; reconstruct again");
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   cv::Mat mask;
   try {
-    if (!bytes.empty()) mask = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
+    mask = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
   } catch (const cv::Exception&) {
     mask.release();
   }
@@ -92,7 +98,9 @@ Result<CaptureErrors> EvaluateOne(const std::filesystem::path& dir, const Evalua
   if (request.fit) {
     std::vector<Eigen::Vector3d> positions;
     for (const SurfacePoint& p : points) positions.push_back(p.position);
-    DORSUM_ASSIGN_OR_RETURN(out.shape, FitShape(*request.fit, positions));
+    const Result<ShapeFit> shape = FitShape(*request.fit, positions);
+    if (!shape.ok()) return BadInput(dir.string() + ": " + shape.error().message);
+    out.shape = *shape;
   }
   std::vector<Judged> judged;
   std::set<int> lasers;
