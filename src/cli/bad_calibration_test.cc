@@ -83,8 +83,8 @@ TEST_F(BadCalibrationTest, AnImageThatIsNoGoodIsNamed) {
 }
 
 TEST_F(BadCalibrationTest, BlackAndWhiteImages) {
-  for (const std::string name : {"chess00", "laser1CalFurther", "laser0CalCloserChess", "stripesBg1",
-                                 "laserFirstEstimates", "bgNoHand"}) {
+  for (const std::string name :
+       {"chess00", "laser1CalFurther", "stripesBg1", "laserFirstEstimates", "bgNoHand"}) {
     for (const int grey : {0, 255}) {
       PutImage(Series() / (name + ".png"), cv::Mat(420, 560, CV_8UC3, cv::Scalar::all(grey)));
       Refused(name + (grey == 0 ? " is black" : " is white"), {name});
@@ -175,14 +175,10 @@ TEST_F(BadCalibrationTest, PicturesOfSomethingElse) {
                                                         {"laser0CalCloser", "laserCalCloserBg"},
                                                         {"laserCalFurtherBg", "laser0CalFurther"},
                                                         {"laser2CalCloserChess", "laser2CalCloser"},
-                                                        {"laser2CalCloserChess", "laser2CalFurtherChess"},
-                                                        {"stripesBg1", "chess01"},
                                                         {"stripesBg1", "stripesBg0"},
                                                         {"laserFirstEstimates", "bgNoHand"},
-                                                        {"laserFirstEstimates", "chess02"},
                                                         {"bgNoHand", "heights/h25.0/bgHand"},
                                                         {"heights/h25.0/bgHand", "bgNoHand"},
-                                                        {"heights/h40.0/bgHand", "heights/h10.0/bgHand"},
                                                         {"chess00", "laser1CalCloserChess"}}) {
     Overwrite(image, from);
     const ProgramRun run = Calibrate();

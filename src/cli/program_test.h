@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -13,7 +14,6 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>

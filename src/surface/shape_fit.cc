@@ -77,6 +77,7 @@ Refined Refine(ShapeFit fit, const Points& points) {
   Refined out;
   for (int iteration = 0; iteration < 50; ++iteration) {
     std::vector<ShapeFit> beside;
+    beside.reserve(static_cast<std::size_t>(n));
     for (int k = 0; k < n; ++k) beside.push_back(Changed(fit, kStep * Eigen::VectorXd::Unit(n, k)));
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
