@@ -38,6 +38,7 @@ Rigid3 CameraFromWorld(const Rigid3& camera_from_board) {
 // length open (Zhang 2000, section 3.1), however small their reprojection error is.
 double GreatestTurn(const std::vector<cv::Mat>& rvecs) {
   std::vector<Eigen::Vector3d> normals;
+  normals.reserve(rvecs.size());
   for (const cv::Mat& rvec : rvecs)
     normals.emplace_back(ToRigid(rvec, cv::Mat::zeros(3, 1, CV_64F)).rotation.col(2));
   double least = 1.0;

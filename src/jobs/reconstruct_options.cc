@@ -14,7 +14,7 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   t.Add("fusion", &o->fusion, {"classic"}, "how the lasers are merged");
   t.Add("mask-open-px", &o->hand_mask.open_px, 1, 99, "side of the mask's opening, px");
   t.Add("mask-min-contrast", &o->hand_mask.min_contrast, 0.0, 255.0,
-        "least contrast of the object, grey values");
+        "least contrast of the object, 255ths of the background");
   t.Add("stripe-block-px", &o->stripe_mask.block_px, 3, 999, "window of the stripes' adaptive threshold, px");
   t.Add("stripe-offset", &o->stripe_mask.offset, 0.0, 255.0,
         "edge response above its local mean, grey values");
