@@ -43,8 +43,8 @@ TEST(CentralAlignment, TheBrightestStripeNeedNotBeInTheMiddle) {
 }
 
 TEST(CentralAlignment, ADimmedCentralStripeDoesNotLiftTheObject) {
-  // The lowest heights make the third stripe the central one, although it is as dim as the others: a slope can
-  // dim it. Numberings that keep order 0 off the object would lift all heights by whole spacings.
+  // The lowest heights make the third stripe the central one, although it is as dim as the others: a slope
+  // can dim it. Numberings that keep order 0 off the object would lift all heights by whole spacings.
   LaserStripes stripes = SevenStripes({100, 101, 100, 102, 100, 101, 100});
   const OrderRange rising = [](float u, float) {
     const double at_bottom = -2.5 + (u - 20.0) / 20.0;

@@ -13,7 +13,7 @@ namespace dorsum {
 
 struct HeightFieldOptions {
   double pitch_mm = 0.5;        // 0.1 to 5
-  double max_gap_mm = 12.0;      // widest gap between stripes that is bridged, mm, 0.5 to 50
+  double max_gap_mm = 12.0;     // widest gap between stripes that is bridged, mm, 0.5 to 50
   double max_slope_deg = 70.0;  // steeper changes between stripes are jumps and stay open, 10 to 89
   double max_outlier_mm = 2.5;  // a crossing further than this from its neighbours' median is left out, mm
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/height_file.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <vector>
+
+#include <opencv2/imgcodecs.hpp>
 
 #include "base/files.h"
 #include "base/json.h"

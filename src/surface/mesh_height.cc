@@ -44,7 +44,8 @@ std::optional<double> MeshHeight::At(double x, double y) const {
   std::optional<double> highest;
   for (const std::uint32_t f : cells_[static_cast<std::size_t>(r * columns_ + c)]) {
     const auto& face = mesh_.faces[f];
-    const Eigen::Vector3d &p = mesh_.vertices[face[0]], &q = mesh_.vertices[face[1]], &s = mesh_.vertices[face[2]];
+    const Eigen::Vector3d &p = mesh_.vertices[face[0]], &q = mesh_.vertices[face[1]],
+                          &s = mesh_.vertices[face[2]];
     const double det = (q.x() - p.x()) * (s.y() - p.y()) - (s.x() - p.x()) * (q.y() - p.y());
     if (std::abs(det) < 1e-15) continue;  // seen edge-on from above
     const double b = ((x - p.x()) * (s.y() - p.y()) - (s.x() - p.x()) * (y - p.y())) / det;
