@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace dorsum {
 namespace {
@@ -42,38 +41,78 @@ Predecessor StrongestParent(const LaserStripes& stripes, const std::vector<doubl
   return best;
 }
 
-// A stripe without a predecessor in its rows: the nearest already indexed one, wherever it stands.
-Predecessor NearestIndexed(const std::vector<double>& mean_order, const LaserStripes& stripes,
-                           std::int32_t segment, const std::vector<std::int32_t>& indexed) {
-  const StripeSegment& s = stripes.segments[static_cast<std::size_t>(segment)];
-  Predecessor best;
-  double least = std::numeric_limits<double>::max();
-  for (const std::int32_t other : indexed) {
-    const StripeSegment& o = stripes.segments[static_cast<std::size_t>(other)];
-    const double rows = std::max({0.0F, o.min_v - s.max_v, s.min_v - o.max_v});
-    const double columns = std::max({0.0F, o.min_u - s.max_u, s.min_u - o.max_u});
-    const double distance = std::hypot(rows, columns);
-    if (distance >= least) continue;
-    least = distance;
-    best = {other,
-            mean_order[static_cast<std::size_t>(segment)] - mean_order[static_cast<std::size_t>(other)]};
-  }
-  return best;
+// How much further right than `o` the segment `s` stands, in spacings: between their ends that face each
+// other, since a stripe over a curved hand can wander by more than half a spacing on the backplane's scale.
+double SpacingsBetween(const StripeSegment& o, const StripeSegment& s, const std::vector<double>& orders) {
+  const auto at = [&](std::int32_t point) { return orders[static_cast<std::size_t>(point)]; };
+  if (s.min_v > o.max_v) return at(s.first) - at(o.first + o.count - 1);
+  if (s.max_v < o.min_v) return at(s.first + s.count - 1) - at(o.first);
+  return at(s.first + s.count / 2) - at(o.first + o.count / 2);
 }
 
-// The segment with those of its line of ancestors that were not reached before, the oldest first: a stripe on
-// a slope can lie further right on the backplane's scale than its child.
-std::vector<std::int32_t> UnreachedAncestors(const std::vector<Predecessor>& parents, std::int32_t segment,
-                                             std::vector<char>* reached) {
-  std::vector<std::int32_t> line;
-  for (std::int32_t i = segment; i != kNoPoint; i = parents[static_cast<std::size_t>(i)].segment) {
-    char& seen = (*reached)[static_cast<std::size_t>(i)];
-    if (seen != 0) break;
-    seen = 1;
-    line.push_back(i);
+// A tree of its own: a stripe without a predecessor, and all that follow it. Levels count from its root.
+struct Group {
+  std::vector<std::int32_t> members;  // predecessors before those that follow them
+  std::int32_t points = 0;
+};
+
+// Follows the predecessors to the roots; `levels` and `corrections` are what the distances along the way say.
+std::vector<Group> GroupByRoot(const LaserStripes& stripes, const std::vector<Predecessor>& parents,
+                               const GapCorrectionOptions& options, std::vector<int>* levels,
+                               int* corrections) {
+  const std::size_t n = parents.size();
+  std::vector<std::int32_t> group_of(n, kNoPoint);
+  std::vector<Group> groups;
+  for (std::size_t start = 0; start < n; ++start) {
+    std::vector<std::int32_t> line;  // from here up to the first whose group is known, or to the root
+    auto i = static_cast<std::int32_t>(start);
+    while (i != kNoPoint && group_of[static_cast<std::size_t>(i)] == kNoPoint &&
+           std::find(line.begin(), line.end(), i) == line.end()) {
+      line.push_back(i);
+      i = parents[static_cast<std::size_t>(i)].segment;
+    }
+    for (auto k = line.rbegin(); k != line.rend(); ++k) {
+      const auto index = static_cast<std::size_t>(*k);
+      const Predecessor& p = parents[index];
+      const bool rooted = p.segment != kNoPoint && group_of[static_cast<std::size_t>(p.segment)] != kNoPoint;
+      if (!rooted) {
+        group_of[index] = static_cast<std::int32_t>(groups.size());
+        groups.emplace_back();
+      } else {
+        const int steps = p.spacings <= options.max_spacings ? 1 : static_cast<int>(std::lround(p.spacings));
+        if (steps != 1) ++*corrections;
+        group_of[index] = group_of[static_cast<std::size_t>(p.segment)];
+        (*levels)[index] = (*levels)[static_cast<std::size_t>(p.segment)] + steps;
+      }
+      Group& group = groups[static_cast<std::size_t>(group_of[index])];
+      group.members.push_back(*k);
+      group.points += stripes.segments[index].count;
+    }
   }
-  std::reverse(line.begin(), line.end());
-  return line;
+  return groups;
+}
+
+// By how many levels a group must move to fit those already placed: where one of its stripes comes nearest to
+// one of theirs.
+int LevelOffset(const LaserStripes& stripes, const std::vector<double>& orders, const Group& group,
+                const std::vector<std::int32_t>& placed, const std::vector<int>& levels) {
+  double least = std::numeric_limits<double>::max();
+  int offset = 0;
+  for (const std::int32_t mine : group.members) {
+    const StripeSegment& s = stripes.segments[static_cast<std::size_t>(mine)];
+    for (const std::int32_t other : placed) {
+      const StripeSegment& o = stripes.segments[static_cast<std::size_t>(other)];
+      const double rows = std::max({0.0F, o.min_v - s.max_v, s.min_v - o.max_v});
+      const double columns = std::max({0.0F, o.min_u - s.max_u, s.min_u - o.max_u});
+      const double distance = std::hypot(rows, columns);
+      if (distance >= least) continue;
+      least = distance;
+      offset = levels[static_cast<std::size_t>(other)] +
+               static_cast<int>(std::lround(SpacingsBetween(o, s, orders))) -
+               levels[static_cast<std::size_t>(mine)];
+    }
+  }
+  return offset;
 }
 
 }  // namespace
@@ -81,42 +120,29 @@ std::vector<std::int32_t> UnreachedAncestors(const std::vector<Predecessor>& par
 int CorrectGaps(const LaserStripes& stripes, const BackplaneOrder& backplane_order,
                 const GapCorrectionOptions& options, StripeTree* tree) {
   const std::size_t n = stripes.segments.size();
-  std::vector<double> orders(stripes.points.size());
-  for (std::size_t i = 0; i < orders.size(); ++i)
-    orders[i] = backplane_order(stripes.points[i].u, stripes.points[i].v);
-  std::vector<double> mean_order(n, 0.0);
-  for (std::size_t s = 0; s < n; ++s) {
-    const StripeSegment& segment = stripes.segments[s];
-    const auto begin = orders.begin() + segment.first;
-    mean_order[s] = std::accumulate(begin, begin + segment.count, 0.0) / segment.count;
-  }
-  std::vector<std::int32_t> by_place(n), indexed;
-  std::iota(by_place.begin(), by_place.end(), 0);
-  std::stable_sort(by_place.begin(), by_place.end(), [&](std::int32_t i, std::int32_t j) {
-    return mean_order[static_cast<std::size_t>(i)] < mean_order[static_cast<std::size_t>(j)];
-  });
+  std::vector<double> orders;
+  orders.reserve(stripes.points.size());
+  for (const StripePoint& p : stripes.points) orders.push_back(backplane_order(p.u, p.v));
   std::vector<Predecessor> parents(n);
   for (std::size_t s = 0; s < n; ++s) {
     parents[s] = StrongestParent(stripes, orders, static_cast<std::int32_t>(s), tree->nodes[s].parents);
   }
   int corrections = 0;
-  std::vector<char> reached(n, 0);
-  for (const std::int32_t i : by_place) {
-    // Going from left to right, the corrected level of the predecessor propagates to its children here.
-    for (const std::int32_t k : UnreachedAncestors(parents, i, &reached)) {
-      const auto index = static_cast<std::size_t>(k);
-      Predecessor p = parents[index];
-      const bool has_parent = p.segment != kNoPoint;
-      if (!has_parent && !indexed.empty()) p = NearestIndexed(mean_order, stripes, k, indexed);
-      if (p.segment != kNoPoint) {
-        const int steps =
-            has_parent && p.spacings <= options.max_spacings ? 1 : static_cast<int>(std::lround(p.spacings));
-        tree->nodes[index].level = tree->nodes[static_cast<std::size_t>(p.segment)].level + steps;
-        if (steps != 1) ++corrections;
-      }
-      indexed.push_back(k);
+  std::vector<int> levels(n, 0);
+  std::vector<Group> groups = GroupByRoot(stripes, parents, options, &levels, &corrections);
+  // The largest tree stands; smaller ones are placed by what is already there.
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.points > b.points; });
+  std::vector<std::int32_t> placed;
+  for (const Group& group : groups) {
+    if (!placed.empty()) {
+      const int offset = LevelOffset(stripes, orders, group, placed, levels);
+      for (const std::int32_t i : group.members) levels[static_cast<std::size_t>(i)] += offset;
+      ++corrections;
     }
+    placed.insert(placed.end(), group.members.begin(), group.members.end());
   }
+  for (std::size_t s = 0; s < n; ++s) tree->nodes[s].level = levels[s];
   return corrections;
 }
 

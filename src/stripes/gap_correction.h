@@ -19,9 +19,10 @@ struct GapCorrectionOptions {
 };
 
 // Indexing error corrections (§3.5, Algorithm 2): where a node is further than V from its predecessor, the
-// number of missing stripes is counted from the distance and the new index is propagated to the node's
-// children. Roots, which have no predecessor in their rows, take theirs from the nearest stripe to their left
-// in other rows. Changes the levels of the tree's nodes; returns how many predecessors were too far.
+// number of missing stripes is counted from the distance, and the new index is propagated to the node's
+// children. Stripes without a predecessor in their rows begin trees of their own; these are placed, the
+// largest first, by the distance to the nearest stripe already placed. Changes the levels of the tree's
+// nodes; returns how many predecessors were too far and how many trees were placed.
 int CorrectGaps(const LaserStripes& stripes, const BackplaneOrder& backplane_order,
                 const GapCorrectionOptions& options, StripeTree* tree);
 
