@@ -41,13 +41,28 @@ Predecessor StrongestParent(const LaserStripes& stripes, const std::vector<doubl
   return best;
 }
 
-// How much further right than `o` the segment `s` stands, in spacings: between their ends that face each
-// other, since a stripe over a curved hand can wander by more than half a spacing on the backplane's scale.
-double SpacingsBetween(const StripeSegment& o, const StripeSegment& s, const std::vector<double>& orders) {
-  const auto at = [&](std::int32_t point) { return orders[static_cast<std::size_t>(point)]; };
-  if (s.min_v > o.max_v) return at(s.first) - at(o.first + o.count - 1);
-  if (s.max_v < o.min_v) return at(s.first + s.count - 1) - at(o.first);
-  return at(s.first + s.count / 2) - at(o.first + o.count / 2);
+// How far two stripes are from each other, and how much further right the second stands, in spacings. Both
+// are taken between the ends that face each other, since a stripe over a curved hand can wander by more than
+// half a spacing; stripes that share rows are compared in their middles.
+struct Step {
+  double distance_px = 0.0;
+  double spacings = 0.0;
+};
+
+Step StepBetween(const LaserStripes& stripes, const std::vector<double>& orders, const StripeSegment& o,
+                 const StripeSegment& s) {
+  std::int32_t from = o.first + o.count / 2, to = s.first + s.count / 2;
+  if (s.min_v > o.max_v) {
+    from = o.first + o.count - 1;
+    to = s.first;
+  } else if (s.max_v < o.min_v) {
+    from = o.first;
+    to = s.first + s.count - 1;
+  }
+  const StripePoint& p = stripes.points[static_cast<std::size_t>(from)];
+  const StripePoint& q = stripes.points[static_cast<std::size_t>(to)];
+  return {std::hypot(q.u - p.u, q.v - p.v),
+          orders[static_cast<std::size_t>(to)] - orders[static_cast<std::size_t>(from)]};
 }
 
 // A tree of its own: a stripe without a predecessor, and all that follow it. Levels count from its root.
@@ -102,13 +117,10 @@ int LevelOffset(const LaserStripes& stripes, const std::vector<double>& orders, 
     const StripeSegment& s = stripes.segments[static_cast<std::size_t>(mine)];
     for (const std::int32_t other : placed) {
       const StripeSegment& o = stripes.segments[static_cast<std::size_t>(other)];
-      const double rows = std::max({0.0F, o.min_v - s.max_v, s.min_v - o.max_v});
-      const double columns = std::max({0.0F, o.min_u - s.max_u, s.min_u - o.max_u});
-      const double distance = std::hypot(rows, columns);
-      if (distance >= least) continue;
-      least = distance;
-      offset = levels[static_cast<std::size_t>(other)] +
-               static_cast<int>(std::lround(SpacingsBetween(o, s, orders))) -
+      const Step step = StepBetween(stripes, orders, o, s);
+      if (step.distance_px >= least) continue;
+      least = step.distance_px;
+      offset = levels[static_cast<std::size_t>(other)] + static_cast<int>(std::lround(step.spacings)) -
                levels[static_cast<std::size_t>(mine)];
     }
   }

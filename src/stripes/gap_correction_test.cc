@@ -58,6 +58,19 @@ TEST(GapCorrection, ARootInOtherRowsIsCountedFromTheNearestStripe) {
   EXPECT_EQ(Levels(tree), (std::vector<int>{0, 1, 2, 3, 2, 4, 5}));
 }
 
+TEST(GapCorrection, APieceOfABrokenSlantedStripeKeepsTheStripesIndex) {
+  // The last stripe leans left by more than half a spacing and is broken; its lower piece stands alone in its
+  // rows, and further left on the whole than the largest tree's stripes suggest.
+  const auto leaning = [](int row) { return 90.0 - 0.2 * std::max(0, row - 50); };
+  LaserStripes stripes;
+  AddStripe(&stripes, 105, 150, leaning);
+  for (int i = 0; i < 4; ++i) AddStripe(&stripes, 0, 100, 10.0 + 20.0 * i);
+  AddStripe(&stripes, 0, 100, leaning);
+  StripeTree tree = BuildStripeTree(&stripes, 4);
+  CorrectGaps(stripes, Backplane, {}, &tree);
+  EXPECT_EQ(Levels(tree), (std::vector<int>{4, 0, 1, 2, 3, 4}));
+}
+
 TEST(GapCorrection, TheUsualDistanceIsTheMedianSoThatARaggedEndDoesNotCount) {
   LaserStripes stripes;
   AddStripe(&stripes, 0, 50, [](int row) { return row < 8 ? 0.0 : 20.0; });
