@@ -136,7 +136,7 @@ Result<Reconstruction> Reconstruct(const CaptureImages& capture, const ReadyCali
                                      options.height_field, context);
   out.mesh = MeshHeightField(out.height_field);
   AssignNormals(out.mesh, 5.0, &out.points);
-  if (out.mesh.faces.empty()) out.warnings.push_back("the points lie too far apart for a mesh");
+  if (out.mesh.faces.empty()) out.warnings.emplace_back("the points lie too far apart for a mesh");
   return out;
 }
 

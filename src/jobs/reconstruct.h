@@ -37,11 +37,11 @@ struct ReadyCalibration {
 Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::string& where);
 
 // CaptureImages -> Mask -> StripePoints -> StripeSegments -> IndexedStripes -> SurfacePoints -> Surface.
-Result<Reconstruction> Reconstruct(const CaptureImages& capture, const ReadyCalibration& calibration,
+Result<Reconstruction> Reconstruct(const CaptureImages& capture, const ReadyCalibration& ready,
                                    const ReconstructOptions& options, const Context& context);
 
 // Only the stages up to the points: what calibrating and evaluating need.
-Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const ReadyCalibration& calibration,
+Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const ReadyCalibration& ready,
                                          const ReconstructOptions& options, const Context& context);
 
 struct ReconstructRequest {

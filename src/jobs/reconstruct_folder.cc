@@ -108,6 +108,7 @@ Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, 
   DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
                           PrepareCalibration(std::move(calibration), request.calibration_path.string()));
   std::vector<int> lasers;
+  lasers.reserve(ready.calibration.device.lasers.size());
   for (const LaserGeometry& laser : ready.calibration.device.lasers) lasers.push_back(laser.laser);
   DORSUM_ASSIGN_OR_RETURN(const CaptureImages capture, LoadCapture(request.capture_dir, {}, lasers));
   DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(request.out_dir));
@@ -115,7 +116,7 @@ Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, 
   Context inner = context;
   if (request.stages) inner.sink = &stages;
   DORSUM_ASSIGN_OR_RETURN(const Reconstruction result, Reconstruct(capture, ready, request.options, inner));
-  DORSUM_RETURN_IF_ERROR(stages.status());
+  if (!stages.status().ok()) return stages.status().error();
   DORSUM_RETURN_IF_ERROR(
       WriteOutputs(staged.path(), request, result, capture, ready, Sha256Hex(calibration_bytes), context));
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());

@@ -22,23 +22,32 @@ struct MeshTracer::Embree {
 
 namespace {
 
+// Before Embree holds anything that a throw would leave behind.
+void CheckFaces(const TriangleMesh& mesh) {
+  for (const auto& face : mesh.faces) {
+    for (const std::uint32_t vertex : face) {
+      if (vertex >= mesh.vertices.size()) {
+        throw std::logic_error("MeshTracer: a face names a vertex that is not there");
+      }
+    }
+  }
+}
+
 void AddTriangles(RTCDevice device, RTCScene scene, const TriangleMesh& mesh) {
+  CheckFaces(mesh);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
   auto* faces = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.faces.size()));
-  if (vertices == nullptr || faces == nullptr) throw std::runtime_error("Embree: no memory for a mesh");
+  if (vertices == nullptr || faces == nullptr) {
+    rtcReleaseGeometry(geometry);
+    throw std::runtime_error("Embree: no memory for a mesh");
+  }
   for (const Eigen::Vector3d& v : mesh.vertices) {
     for (int i = 0; i < 3; ++i) *vertices++ = static_cast<float>(v[i]);
   }
-  for (const auto& face : mesh.faces) {
-    for (const std::uint32_t vertex : face) {
-      if (vertex >= mesh.vertices.size())
-        throw std::logic_error("MeshTracer: a face names a vertex that is not there");
-    }
-    faces = std::copy(face.begin(), face.end(), faces);
-  }
+  for (const auto& face : mesh.faces) faces = std::copy(face.begin(), face.end(), faces);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
