@@ -23,8 +23,11 @@ namespace {
 
 class SeriesWriter {
  public:
-  SeriesWriter(const VirtualDevice& device, const std::filesystem::path& dir, const Context& context)
-      : device_(device), dir_(dir), context_(context), seed_(NamedSeed("calibration", device.seed)) {
+  SeriesWriter(const VirtualDevice& device, std::filesystem::path dir, const Context& context)
+      : device_(device),
+        dir_(std::move(dir)),
+        context_(context),
+        seed_(NamedSeed("calibration", device.seed)) {
     const std::size_t boxes = device.description.box_heights_mm.size();
     total_ = kChessViews + 4.0 + static_cast<double>(device.lasers.size() * (5 + boxes) + boxes);
   }

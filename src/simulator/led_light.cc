@@ -30,7 +30,7 @@ std::vector<Eigen::Vector3d> DiscPoints(const VirtualLed& led) {
   for (int i = 0; i < kShadowRays; ++i) {
     const double r = led.radius_mm * std::sqrt((i + 0.5) / kShadowRays);
     const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-    points.push_back(led.position + r * (std::cos(angle) * x + std::sin(angle) * y));
+    points.emplace_back(led.position + r * (std::cos(angle) * x + std::sin(angle) * y));
   }
   return points;
 }

@@ -33,7 +33,7 @@ struct SceneName {
   std::string folder;    // the name as a folder: hand_man_right_anna_k1
 };
 
-Result<SceneName> ParseSceneName(const std::string& name);
+Result<SceneName> ParseSceneName(const std::string& text);
 
 // The scene before a device, placed where the device sees it. Sizes and places are drawn from `seed` and the
 // name; hands from `people_seed`, so that the same people can come to several devices.

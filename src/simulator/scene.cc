@@ -97,7 +97,7 @@ ScenePart LyingCylinder(double radius_mm, double length_mm, const Eigen::Vector2
   TriangleMesh& mesh = part.mesh;
   const auto add = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
     mesh.vertices.push_back(world_from_cylinder * p);
-    mesh.normals.push_back(world_from_cylinder.rotation * normal);
+    mesh.normals.emplace_back(world_from_cylinder.rotation * normal);
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
   };
   for (int i = 0; i <= n; ++i) {  // the skin: pairs of vertices along the axis
@@ -139,7 +139,7 @@ ScenePart HalfSphere(double radius_mm, const Eigen::Vector2d& centre_mm) {
       const Eigen::Vector3d normal(std::cos(latitude) * std::cos(longitude),
                                    std::cos(latitude) * std::sin(longitude),
                                    i == 0 ? 0.0 : std::sin(latitude));
-      mesh.vertices.push_back(radius_mm * normal + Eigen::Vector3d(centre_mm.x(), centre_mm.y(), 0.0));
+      mesh.vertices.emplace_back(radius_mm * normal + Eigen::Vector3d(centre_mm.x(), centre_mm.y(), 0.0));
       mesh.normals.push_back(normal);
       if (i == 0 || j == 0) continue;
       const auto upper = static_cast<std::uint32_t>(mesh.vertices.size() - 1);

@@ -23,7 +23,7 @@ struct VirtualLaser {
   Eigen::Vector3d rotation_error_rad = Eigen::Vector3d::Zero();
 
   int Orders() const { return static_cast<int>(efficiency.size()) / 2; }
-  double Efficiency(int order) const { return efficiency[static_cast<std::size_t>(order + Orders())]; }
+  double Efficiency(int order) const { return efficiency.at(static_cast<unsigned>(order + Orders())); }
 };
 
 // A round, evenly bright screen that faces the origin.
