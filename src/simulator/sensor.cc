@@ -81,7 +81,8 @@ std::uint8_t Code(const SensorDesign& sensor, double light, float noise) {
   }
   value = std::clamp(value, 0.0, 1.0);
   if (sensor.gamma != 1.0) value = std::pow(value, 1.0 / sensor.gamma);
-  return static_cast<std::uint8_t>(255.0 * (sensor.black_level + (1.0 - sensor.black_level) * value) + 0.5);
+  return static_cast<std::uint8_t>(
+      std::lround(255.0 * (sensor.black_level + (1.0 - sensor.black_level) * value)));
 }
 
 }  // namespace
