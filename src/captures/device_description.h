@@ -27,7 +27,9 @@ struct CameraDesign {
   Eigen::Vector3d position_mm{-118.0, 0.0, 386.0};                         // z 100 to 3000
   Eigen::Vector3d look_at_mm{14.0, 0.0, 0.0};
   std::string format = "jpeg";  // jpeg | png
-  int jpeg_quality = 94;        // 50 to 100
+  int jpeg_quality = 94;        // 50 to 100; colour at half resolution (4:2:0), as cameras write it
+  int stream_jpeg_quality = 0;  // of the JPEG stream through which a webcam sends its pictures, before they
+                                // are written to files: 30 to 100; 0: none
 };
 
 // From light on the lens to numbers in the file.
@@ -40,6 +42,7 @@ struct SensorDesign {
   double filter_falloff =
       0.25;  // share of light lost in the picture's corner by the narrow-band filter, 0 to 0.95
   double leak_red = 0.08, leak_blue = 0.11;  // green light seen by the other channels, 0 to 1
+  bool bayer = false;  // each pixel sees one colour (RGGB), the others are interpolated bilinearly
 };
 
 struct GratingDesign {

@@ -65,7 +65,8 @@ Json DeviceToJson(const VirtualDevice& device) {
       {"psf_sigma", d.sensor.psf_sigma_px}, {"cos4", 1.0}, {"filter_falloff", d.sensor.filter_falloff}};
   json["sensor"] = {{"full_well", d.sensor.full_well_e}, {"read_noise", d.sensor.read_noise_e},
                     {"gamma", d.sensor.gamma},           {"leak_r", d.sensor.leak_red},
-                    {"leak_b", d.sensor.leak_blue},      {"black", d.sensor.black_level}};
+                    {"leak_b", d.sensor.leak_blue},      {"black", d.sensor.black_level},
+                    {"bayer", d.sensor.bayer},           {"jpeg_roundtrip", d.camera.stream_jpeg_quality}};
   json["speckle"] = {{"contrast", d.speckle.contrast}, {"corr_px", d.speckle.correlation_px}};
   json["ambient"] = {{"laser_images", d.light.ambient_laser}, {"led_images", d.light.ambient_led}};
   for (const VirtualLed& led : device.leds) {
