@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/joint_inference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace dorsum {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// What a piece costs that a move of its surface leaves without a candidate, for each observation.
+constexpr double kNoCandidateCost = 4.0;
+
+class Inference {
+ public:
+  Inference(const std::vector<JointPiece>& pieces, const JointGraph& graph,
+            const JointInferenceOptions& options)
+      : pieces_(pieces), graph_(graph), options_(options), at_(pieces.size()) {
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+      at_[static_cast<std::size_t>(graph.edges[e].first)].push_back(static_cast<int>(e));
+      at_[static_cast<std::size_t>(graph.edges[e].second)].push_back(static_cast<int>(e));
+    }
+    labels_.candidate.assign(pieces.size(), -1);
+    labels_.own_margin.assign(pieces.size(), 0.0);
+    labels_.surface_margin.assign(pieces.size(), 0.0);
+    labels_.surface.assign(pieces.size(), 0);
+  }
+
+  JointLabels Run() {
+    PropagateBeliefs();
+    Polish();
+    for (int round = 0; round < options_.cluster_rounds; ++round) {
+      FindSurfaces();
+      bool moved = false;
+      for (const std::vector<int>& surface : surfaces_) moved |= MoveSurface(surface);
+      if (!moved) break;
+      Polish();
+    }
+    FindSurfaces();
+    for (std::size_t i = 0; i < pieces_.size(); ++i) labels_.own_margin[i] = OwnMargin(static_cast<int>(i));
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+      const double margin = std::min(MoveCost(surfaces_[s], -1), MoveCost(surfaces_[s], 1));
+      for (const int i : surfaces_[s]) {
+        labels_.surface[U(i)] = static_cast<int>(s);
+        labels_.surface_margin[U(i)] = margin;
+      }
+    }
+    return std::move(labels_);
+  }
+
+ private:
+  static std::size_t U(int i) { return static_cast<std::size_t>(i); }
+  int Count(int i) const { return pieces_[U(i)].candidates; }
+  static int Other(const JointEdge& e, int i) { return e.first == i ? e.second : e.first; }
+  // Cost of an edge with `i` having `a` and its other end `b`.
+  float EdgeCost(const JointEdge& e, int i, int a, int b) const {
+    return e.first == i ? e.cost[U(a) * U(Count(e.second)) + U(b)] : e.cost[U(b) * U(Count(e.second)) + U(a)];
+  }
+
+  // messages_[2 e] goes to the first piece of edge e, messages_[2 e + 1] to the second.
+  std::vector<float>& MessageTo(int e, int i) {
+    return messages_[2 * U(e) + (graph_.edges[U(e)].first == i ? 0U : 1U)];
+  }
+
+  void PropagateBeliefs() {
+    messages_.resize(2 * graph_.edges.size());
+    for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+      messages_[2 * e].assign(U(Count(graph_.edges[e].first)), 0.0F);
+      messages_[2 * e + 1].assign(U(Count(graph_.edges[e].second)), 0.0F);
+    }
+    std::vector<int> order(pieces_.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto place = [&](int i) {
+      const auto& s = pieces_[U(i)].samples;
+      return s.empty() ? 0.0F : s[s.size() / 2].u;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
+    for (int sweep = 0; sweep < options_.max_sweeps; ++sweep) {
+      float change = 0.0F;
+      for (const int i : order) change = std::max(change, SendFrom(i));
+      std::reverse(order.begin(), order.end());
+      if (change < 1e-2F) break;
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const std::vector<float> belief = Belief(static_cast<int>(i));
+      if (belief.empty()) continue;
+      labels_.candidate[i] =
+          static_cast<int>(std::min_element(belief.begin(), belief.end()) - belief.begin());
+    }
+  }
+
+  std::vector<float> Belief(int i) {
+    std::vector<float> belief = graph_.unary[U(i)];
+    for (const int e : at_[U(i)]) {
+      const std::vector<float>& m = MessageTo(e, i);
+      for (std::size_t k = 0; k < belief.size(); ++k) belief[k] += m[k];
+    }
+    return belief;
+  }
+
+  // Sends messages from a piece to all its neighbours; the largest change.
+  float SendFrom(int i) {
+    const std::vector<float> belief = Belief(i);
+    float change = 0.0F;
+    for (const int e : at_[U(i)]) {
+      const JointEdge& edge = graph_.edges[U(e)];
+      const int j = Other(edge, i);
+      const std::vector<float>& back = MessageTo(e, i);
+      std::vector<float>& out = MessageTo(e, j);
+      std::vector<float> fresh(out.size(), std::numeric_limits<float>::max());
+      for (int a = 0; a < Count(i); ++a) {
+        for (int b = 0; b < Count(j); ++b) {
+          fresh[U(b)] = std::min(fresh[U(b)], belief[U(a)] - back[U(a)] + EdgeCost(edge, i, a, b));
+        }
+      }
+      if (fresh.empty() || Count(i) == 0) continue;
+      const float least = *std::min_element(fresh.begin(), fresh.end());
+      for (std::size_t b = 0; b < fresh.size(); ++b) {
+        // Halfway, since loops would let messages swing.
+        const float value = 0.5F * (fresh[b] - least) + 0.5F * out[b];
+        change = std::max(change, std::abs(value - out[b]));
+        out[b] = value;
+      }
+    }
+    return change;
+  }
+
+  // Cost of all that depends on piece i, having candidate a.
+  double LocalCost(int i, int a) const {
+    double cost = graph_.unary[U(i)][U(a)];
+    for (const int e : at_[U(i)]) {
+      const int j = Other(graph_.edges[U(e)], i);
+      if (labels_.candidate[U(j)] >= 0) cost += EdgeCost(graph_.edges[U(e)], i, a, labels_.candidate[U(j)]);
+    }
+    return cost;
+  }
+
+  // Moves single pieces as long as that costs less.
+  void Polish() {
+    for (int round = 0; round < 20; ++round) {
+      bool moved = false;
+      for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+        if (Count(i) < 2) continue;
+        int best = labels_.candidate[U(i)];
+        double least = LocalCost(i, best) - 1e-6;
+        for (int a = 0; a < Count(i); ++a) {
+          const double cost = LocalCost(i, a);
+          if (cost < least) {
+            least = cost;
+            best = a;
+          }
+        }
+        moved |= best != labels_.candidate[U(i)];
+        labels_.candidate[U(i)] = best;
+      }
+      if (!moved) break;
+    }
+  }
+
+  double OwnMargin(int i) const {
+    const int own = labels_.candidate[U(i)];
+    if (own < 0) return 0.0;
+    double margin = kInfinite;
+    for (int a = 0; a < Count(i); ++a) {
+      if (a != own) margin = std::min(margin, LocalCost(i, a));
+    }
+    return margin - LocalCost(i, own);
+  }
+
+  // Pieces that lie smoothly beside each other are one surface.
+  void FindSurfaces() {
+    std::vector<int> root(pieces_.size());
+    std::iota(root.begin(), root.end(), 0);
+    const auto find = [&](int i) {
+      while (root[U(i)] != i) i = root[U(i)] = root[U(root[U(i)])];
+      return i;
+    };
+    for (const JointEdge& e : graph_.edges) {
+      const int a = labels_.candidate[U(e.first)], b = labels_.candidate[U(e.second)];
+      if (a < 0 || b < 0 || e.observations <= 0.0) continue;
+      if (EdgeCost(e, e.first, a, b) > options_.smooth_cost * e.observations) continue;
+      const int x = find(e.first), y = find(e.second);
+      root[U(std::max(x, y))] = std::min(x, y);
+    }
+    std::vector<int> index(pieces_.size(), -1);
+    surfaces_.clear();
+    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+      if (labels_.candidate[U(i)] < 0) continue;
+      const int r = find(i);
+      if (index[U(r)] < 0) {
+        index[U(r)] = static_cast<int>(surfaces_.size());
+        surfaces_.emplace_back();
+      }
+      surfaces_[U(index[U(r)])].push_back(i);
+    }
+  }
+
+  // What it adds to the total cost to move all pieces of a surface up (1) or down (-1) by one order.
+  double MoveCost(const std::vector<int>& surface, int by) {
+    std::vector<bool>& inside = inside_;
+    inside.assign(pieces_.size(), false);
+    for (const int i : surface) inside[U(i)] = true;
+    const auto moved = [&](int i) {
+      const int k = labels_.candidate[U(i)] + (inside[U(i)] ? by : 0);
+      return k >= 0 && k < Count(i) ? k : -1;
+    };
+    double cost = 0.0;
+    for (const int i : surface) {
+      const int a = labels_.candidate[U(i)], b = moved(i);
+      cost += b < 0 ? kNoCandidateCost * graph_.observations[U(i)]
+                    : graph_.unary[U(i)][U(b)] - graph_.unary[U(i)][U(a)];
+      for (const int e : at_[U(i)]) {
+        const int j = Other(graph_.edges[U(e)], i);
+        if (labels_.candidate[U(j)] < 0 || (inside[U(j)] && j < i)) continue;
+        const int to = moved(j);
+        if (b < 0 || to < 0) continue;
+        cost += EdgeCost(graph_.edges[U(e)], i, b, to) -
+                EdgeCost(graph_.edges[U(e)], i, a, labels_.candidate[U(j)]);
+      }
+    }
+    return cost;
+  }
+
+  bool MoveSurface(const std::vector<int>& surface) {
+    const double down = MoveCost(surface, -1), up = MoveCost(surface, 1);
+    if (std::min(down, up) >= -1e-6) return false;
+    const int by = down < up ? -1 : 1;
+    for (const int i : surface) {
+      labels_.candidate[U(i)] = std::clamp(labels_.candidate[U(i)] + by, 0, Count(i) - 1);
+    }
+    return true;
+  }
+
+  const std::vector<JointPiece>& pieces_;
+  const JointGraph& graph_;
+  const JointInferenceOptions& options_;
+  std::vector<std::vector<int>> at_;  // edges of each piece
+  std::vector<std::vector<float>> messages_;
+  std::vector<std::vector<int>> surfaces_;
+  std::vector<bool> inside_;
+  JointLabels labels_;
+};
+
+}  // namespace
+
+JointLabels InferLabels(const std::vector<JointPiece>& pieces, const JointGraph& graph,
+                        const JointInferenceOptions& options) {
+  return Inference(pieces, graph, options).Run();
+}
+
+}  // namespace dorsum
