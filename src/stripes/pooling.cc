@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/pooling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/parallel.h"
+#include "stripes/local_polynomial.h"
+#include "stripes/row_noise.h"
+
+namespace dorsum {
+namespace {
+
+constexpr int kFirstHalfRows = 12;  // windows before anything is known
+
+StripeCurve CurveOf(const LaserStripes& stripes, const StripeSegment& segment) {
+  StripeCurve curve;
+  for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+    const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
+    curve.v.push_back(static_cast<double>(p.v));
+    curve.u.push_back(static_cast<double>(p.u));
+    curve.sd.push_back(std::max(1e-3, static_cast<double>(p.sd_px)));
+    curve.use.push_back(1);
+  }
+  return curve;
+}
+
+std::vector<int> WindowSizes(const PoolingOptions& options) {
+  std::vector<int> sizes;
+  for (double half = options.min_half_rows; half <= options.max_half_rows; half *= 1.4) {
+    sizes.push_back(static_cast<int>(std::lround(half)));
+  }
+  return sizes;
+}
+
+// The widest window whose estimate lies in the confidence intervals of all narrower ones.
+struct Choice {
+  LocalEstimate estimate;
+  int half_rows = 0;
+};
+
+Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<int>& sizes,
+                    const RowNoise& noise, double scale, double confidence) {
+  Choice choice;
+  double low = -INFINITY, high = INFINITY;
+  for (const int half : sizes) {
+    const auto h = static_cast<std::size_t>(half);
+    const std::size_t first = k > h ? k - h : 0, last = std::min(curve.v.size() - 1, k + h);
+    LocalEstimate fit = FitLocally(curve, first, last, curve.v[k], noise.correlation);
+    if (!fit.ok) continue;
+    fit.sd *= scale;
+    low = std::max(low, fit.u - confidence * fit.sd);
+    high = std::min(high, fit.u + confidence * fit.sd);
+    if (low > high) break;
+    if (choice.half_rows > 0 && fit.sd > choice.estimate.sd) continue;
+    choice = {fit, half};
+    if (first == 0 && last + 1 == curve.v.size()) break;
+  }
+  return choice;
+}
+
+}  // namespace
+
+LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& options, const Context& context) {
+  std::vector<StripeCurve> curves;
+  std::vector<std::vector<int>> half_rows;
+  for (const StripeSegment& segment : stripes.segments) {
+    curves.push_back(CurveOf(stripes, segment));
+    half_rows.emplace_back(curves.back().v.size(), kFirstHalfRows);
+  }
+  const std::vector<int> sizes = WindowSizes(options);
+  for (int pass = 0; pass < 2; ++pass) {
+    const RowNoise noise = MeasureRowNoise(half_rows, options.outlier_sd, &curves);
+    ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
+      const auto i = static_cast<std::size_t>(n);
+      const StripeCurve& curve = curves[i];
+      for (std::size_t k = 0; k < curve.v.size(); ++k) {
+        const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence);
+        StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
+        if (choice.half_rows == 0) continue;
+        half_rows[i][k] = std::max(choice.half_rows, options.min_half_rows);
+        if (pass == 0) continue;
+        p.u = static_cast<float>(choice.estimate.u);
+        p.sd_px = static_cast<float>(choice.estimate.sd);
+      }
+    });
+  }
+  for (StripeSegment& segment : stripes.segments) {
+    for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+      const float u = stripes.points[static_cast<std::size_t>(i)].u;
+      segment.min_u = i == segment.first ? u : std::min(segment.min_u, u);
+      segment.max_u = i == segment.first ? u : std::max(segment.max_u, u);
+    }
+  }
+  return stripes;
+}
+
+}  // namespace dorsum
