@@ -14,8 +14,9 @@ struct BandCut {
 };
 
 // Names the unknown pixels object or backplane by the cheapest cut: an outline's piece costs its length, px,
-// over 1 + (difference of light across / texture)^2. Neighbourhood of 8 with the weights that measure
-// Euclidean length (Boykov and Kolmogorov 2003). Returns CV_8UC1, 255 on the object.
+// over 1 + (step of light across / texture)^2. A step is the difference between neighbours less the slope
+// that it sits on, which is what the soft edge of a shadow consists of. Neighbourhood of 8 with the weights
+// that measure Euclidean length (Boykov and Kolmogorov 2003). Returns CV_8UC1, 255 on the object.
 cv::Mat CutInBand(const BandCut& input);
 
 }  // namespace dorsum

@@ -28,7 +28,9 @@ cv::Mat Green(const cv::Mat& image, int scale) {
 cv::Mat LedRatio(const cv::Mat& background, const cv::Mat& hand, int scale) {
   cv::Mat before = Green(background, scale);
   before = cv::max(before, kDarkest);
-  return Green(hand, scale) / before;
+  cv::Mat ratio = Green(hand, scale) / before;
+  cv::sqrt(ratio, ratio);
+  return ratio;
 }
 
 }  // namespace dorsum

@@ -60,7 +60,8 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   coarse.light = LedRatio(background, hand, 2);
   const SeedMap map = MapSeeds(seeds, coarse.light, 2);
   coarse.known = map.known;
-  coarse.texture = UsualTexture(coarse.light, map.known);
+  coarse.texture = cv::max(UsualTexture(coarse.light, map.known),
+                           options.contrast_share * Contrast(coarse.light, map.known));
   coarse.pull = options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
   cv::Mat object = CutInBand(coarse);
   DropPieces(map.votes, 1.0F, 5, options.min_area_share * static_cast<double>(object.total()), &object);

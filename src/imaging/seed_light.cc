@@ -73,8 +73,19 @@ cv::Mat UsualTexture(const cv::Mat& light, const cv::Mat& known) {
   return texture;
 }
 
+cv::Mat Contrast(const cv::Mat& light, const cv::Mat& known) {
+  const LocalMoments object = MomentsNear(light, Inner(known, kObjectPixel));
+  const LocalMoments backplane = MomentsNear(light, Inner(known, kBackplanePixel));
+  cv::Mat contrast;
+  cv::absdiff(object.mean, backplane.mean, contrast);
+  Enlarge(&contrast, light.size());
+  return contrast;
+}
+
 cv::Mat LikeObject(const cv::Mat& light, const cv::Mat& known) {
   constexpr float kSpread = 0.03F;  // least standard deviation of either kind's light
+  constexpr float kNeither = 0.5F;  // density of light that tells nothing
+  constexpr float kStrange = 0.3F;  // what light unlike both says for the object: shadow has no sharp edge
   LocalMoments object = MomentsNear(light, Inner(known, kObjectPixel));
   LocalMoments backplane = MomentsNear(light, Inner(known, kBackplanePixel));
   for (cv::Mat* m : {&object.mean, &object.square, &backplane.mean, &backplane.square})
@@ -86,14 +97,16 @@ cv::Mat LikeObject(const cv::Mat& light, const cv::Mat& known) {
         out.at<float>(v, u) = 0.0F;
         continue;
       }
-      const auto surprise = [&](const LocalMoments& moments) {
+      const auto density = [&](const LocalMoments& moments) {
         const float mean = moments.mean.at<float>(v, u);
         const float variance =
             std::max(0.0F, moments.square.at<float>(v, u) - mean * mean) + kSpread * kSpread;
         const float off = light.at<float>(v, u) - mean;
-        return 0.5F * off * off / variance + 0.5F * std::log(variance);
+        return std::exp(-0.5F * off * off / variance) / std::sqrt(variance);
       };
-      out.at<float>(v, u) = std::clamp(0.5F * (surprise(backplane) - surprise(object)), -1.0F, 1.0F);
+      const float as_object = density(object), as_backplane = density(backplane);
+      out.at<float>(v, u) =
+          (as_object - as_backplane + kStrange * kNeither) / (as_object + as_backplane + kNeither);
     }
   }
   return out;
