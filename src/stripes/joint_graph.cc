@@ -34,11 +34,11 @@ Rows SortIntoRows(const std::vector<JointPiece>& pieces) {
 class Builder {
  public:
   Builder(const std::vector<JointPiece>& pieces, const JointGraphOptions& options)
-      : pieces_(pieces), options_(options) {}
+      : pieces_(pieces), options_(options), edges_of_(pieces.size()) {}
 
-  // Adds one comparison of two samples that are `distance` apart, mm, and says whether they cross.
+  // Adds one comparison of two samples that are `distance` apart, mm.
   void Compare(const Here& a, const Here& b, double distance, double observations) {
-    JointEdge& edge = Edge(a.piece, b.piece);
+    JointEdge& edge = edges_[EdgeOf(a.piece, b.piece)];
     edge.observations += observations;
     const JointPiece &p = pieces_[static_cast<std::size_t>(edge.first)],
                      &q = pieces_[static_cast<std::size_t>(edge.second)];
@@ -50,70 +50,67 @@ class Builder {
     for (const float zi : z) {
       for (const float yj : y) {
         const double d = std::isnan(zi) || std::isnan(yj) ? 40.0 : zi - yj;
-        edge.cost[k++] += static_cast<float>(observations * std::log1p(d * d / (scale * scale)));
+        edge.heights[k++] += static_cast<float>(observations * std::log1p(d * d / (scale * scale)));
       }
     }
   }
 
-  // `a` lies left of `b` in one row, of one laser: its order is the lower one.
-  void Order(int left, int right) {
-    JointEdge& edge = Edge(left, right);
-    crossing_[{edge.first, edge.second}] += edge.first == left ? 1 : -1;
-  }
+  // `left` and `right`, of one laser, share a row: the order of `left` is the lower one.
+  void Order(int left, int right) { rules_[EdgeOf(left, right)].grows += left < right ? 1 : -1; }
 
-  void Continue(int above, int below, double cost) {
-    JointEdge& edge = Edge(above, below);
-    changes_[{edge.first, edge.second}] = cost;
-  }
+  void Continue(int above, int below, double cost) { rules_[EdgeOf(above, below)].change_cost = cost; }
 
   std::vector<JointEdge> Finish() {
-    for (auto& [key, edge] : edges_) {
-      const JointPiece &p = pieces_[static_cast<std::size_t>(edge.first)],
-                       &q = pieces_[static_cast<std::size_t>(edge.second)];
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      JointEdge& edge = edges_[e];
+      const Rule& rule = rules_[e];
       if (edge.observations > options_.most_observations) {
         const double share = options_.most_observations / edge.observations;
-        for (float& c : edge.cost) c *= static_cast<float>(share);
+        for (float& c : edge.heights) c *= static_cast<float>(share);
         edge.observations = options_.most_observations;
       }
-      const auto crossing = crossing_.find(key);
-      const auto change = changes_.find(key);
+      const JointPiece &p = pieces_[U(edge.first)], &q = pieces_[U(edge.second)];
       std::size_t k = 0;
       for (int a = 0; a < p.candidates; ++a) {
         for (int b = 0; b < q.candidates; ++b, ++k) {
           const int grows = q.Order(b) - p.Order(a);
-          if (crossing != crossing_.end() && crossing->second * grows <= 0 && crossing->second != 0) {
-            edge.cost[k] +=
-                static_cast<float>(options_.crossing_cost * std::min(1.0, std::abs(crossing->second) / 3.0));
+          double cost = grows != 0 ? rule.change_cost : 0.0;
+          if (rule.grows != 0 && rule.grows * grows <= 0) {
+            cost += options_.crossing_cost * std::min(1.0, std::abs(rule.grows) / 3.0);
           }
-          if (change != changes_.end() && grows != 0) edge.cost[k] += static_cast<float>(change->second);
+          edge.orders[k] = static_cast<float>(cost);
         }
       }
     }
-    std::vector<JointEdge> all;
-    for (auto& [key, edge] : edges_) all.push_back(std::move(edge));
-    return all;
+    return std::move(edges_);
   }
 
  private:
-  JointEdge& Edge(int a, int b) {
-    const std::pair key(std::min(a, b), std::max(a, b));
-    const auto [it, fresh] = edges_.try_emplace(key);
-    if (fresh) {
-      it->second.first = key.first;
-      it->second.second = key.second;
-      it->second.cost.assign(
-          static_cast<std::size_t>(pieces_[static_cast<std::size_t>(key.first)].candidates) *
-              static_cast<std::size_t>(pieces_[static_cast<std::size_t>(key.second)].candidates),
-          0.0F);
+  // What is asked of the orders at an edge's ends.
+  struct Rule {
+    int grows = 0;  // rows in which the second's must be larger; negative: smaller
+    double change_cost = 0.0;
+  };
+  static std::size_t U(int i) { return static_cast<std::size_t>(i); }
+
+  std::size_t EdgeOf(int a, int b) {
+    const int low = std::min(a, b), high = std::max(a, b);
+    for (const auto& [other, e] : edges_of_[U(low)]) {
+      if (other == high) return e;
     }
-    return it->second;
+    edges_of_[U(low)].emplace_back(high, edges_.size());
+    const std::size_t size = U(pieces_[U(low)].candidates) * U(pieces_[U(high)].candidates);
+    edges_.push_back({low, high, 0.0, std::vector<float>(size, 0.0F), std::vector<float>(size, 0.0F)});
+    rules_.emplace_back();
+    return edges_.size() - 1;
   }
 
   const std::vector<JointPiece>& pieces_;
   const JointGraphOptions& options_;
-  std::map<std::pair<int, int>, JointEdge> edges_;
-  std::map<std::pair<int, int>, int> crossing_;
-  std::map<std::pair<int, int>, double> changes_;
+  std::vector<JointEdge> edges_;
+  std::vector<Rule> rules_;  // by edge
+  std::vector<std::vector<std::pair<int, std::size_t>>>
+      edges_of_;  // by the lower piece: the higher one and the edge
 };
 
 // Stripes side by side in one row.

@@ -23,14 +23,15 @@ struct JointGraphOptions {
   double backplane_tolerance_mm = 0.4;  // within which height 0 is met
   double crossing_cost = 15.0;  // of two stripes of one laser side by side whose orders do not grow with u
   double cut_cost = 8.0;        // of a change of order within one stripe
-  double kink_cost = 2.0;       // the same where it bends or jumps
+  double kink_cost = 3.0;       // the same where it bends or jumps
 };
 
-// Cost of two pieces having certain orders together: cost[a * candidates of second + b].
+// Cost of two pieces having certain orders together, at [a * candidates of second + b].
 struct JointEdge {
-  int first = 0, second = 0;  // pieces
-  double observations = 0.0;  // how much there is to compare
-  std::vector<float> cost;
+  int first = 0, second = 0;   // pieces
+  double observations = 0.0;   // how much there is to compare
+  std::vector<float> heights;  // what the two heights cost
+  std::vector<float> orders;   // what the two orders cost, if they are of one laser
 };
 
 // What speaks for or against the candidates of all pieces, as costs (negative logarithms of likelihoods).

@@ -42,7 +42,7 @@ class Inference {
     FindSurfaces();
     for (std::size_t i = 0; i < pieces_.size(); ++i) labels_.own_margin[i] = OwnMargin(static_cast<int>(i));
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-      const double margin = std::min(MoveCost(surfaces_[s], -1), MoveCost(surfaces_[s], 1));
+      const double margin = std::min(MoveCost(surfaces_[s], -1, true), MoveCost(surfaces_[s], 1, true));
       for (const int i : surfaces_[s]) {
         labels_.surface[U(i)] = static_cast<int>(s);
         labels_.surface_margin[U(i)] = margin;
@@ -55,9 +55,13 @@ class Inference {
   static std::size_t U(int i) { return static_cast<std::size_t>(i); }
   int Count(int i) const { return pieces_[U(i)].candidates; }
   static int Other(const JointEdge& e, int i) { return e.first == i ? e.second : e.first; }
-  // Cost of an edge with `i` having `a` and its other end `b`.
+  // Place in the tables of an edge with `i` having `a` and its other end `b`.
+  std::size_t Place(const JointEdge& e, int i, int a, int b) const {
+    return e.first == i ? U(a) * U(Count(e.second)) + U(b) : U(b) * U(Count(e.second)) + U(a);
+  }
   float EdgeCost(const JointEdge& e, int i, int a, int b) const {
-    return e.first == i ? e.cost[U(a) * U(Count(e.second)) + U(b)] : e.cost[U(b) * U(Count(e.second)) + U(a)];
+    const std::size_t k = Place(e, i, a, b);
+    return e.heights[k] + e.orders[k];
   }
 
   // messages_[2 e] goes to the first piece of edge e, messages_[2 e + 1] to the second.
@@ -65,6 +69,8 @@ class Inference {
     return messages_[2 * U(e) + (graph_.edges[U(e)].first == i ? 0U : 1U)];
   }
 
+  // Sequential tree-reweighted message passing (Kolmogorov 2006, figure 2): each sweep along the columns
+  // sends messages ahead only, then the next one sends them back.
   void PropagateBeliefs() {
     messages_.resize(2 * graph_.edges.size());
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
@@ -73,59 +79,70 @@ class Inference {
     }
     std::vector<int> order(pieces_.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto place = [&](int i) {
+    const auto column = [&](int i) {
       const auto& s = pieces_[U(i)].samples;
       return s.empty() ? 0.0F : s[s.size() / 2].u;
     };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return column(a) < column(b); });
+    place_.resize(pieces_.size());
+    for (std::size_t k = 0; k < order.size(); ++k) place_[U(order[k])] = static_cast<int>(k);
     for (int sweep = 0; sweep < options_.max_sweeps; ++sweep) {
+      const bool ahead = sweep % 2 == 0;
       float change = 0.0F;
-      for (const int i : order) change = std::max(change, SendFrom(i));
-      std::reverse(order.begin(), order.end());
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        change = std::max(change, SendFrom(ahead ? order[k] : order[order.size() - 1 - k], ahead));
+      }
       if (change < 1e-2F) break;
     }
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const std::vector<float> belief = Belief(static_cast<int>(i));
-      if (belief.empty()) continue;
-      labels_.candidate[i] =
-          static_cast<int>(std::min_element(belief.begin(), belief.end()) - belief.begin());
-    }
+    for (const int i : order) Choose(i);
   }
 
-  std::vector<float> Belief(int i) {
+  // Sends messages from a piece to its neighbours on one side; the largest change.
+  float SendFrom(int i, bool ahead) {
+    if (Count(i) == 0) return 0.0F;
     std::vector<float> belief = graph_.unary[U(i)];
+    int before = 0, behind = 0;
     for (const int e : at_[U(i)]) {
       const std::vector<float>& m = MessageTo(e, i);
       for (std::size_t k = 0; k < belief.size(); ++k) belief[k] += m[k];
+      ++(place_[U(Other(graph_.edges[U(e)], i))] < place_[U(i)] ? before : behind);
     }
-    return belief;
-  }
-
-  // Sends messages from a piece to all its neighbours; the largest change.
-  float SendFrom(int i) {
-    const std::vector<float> belief = Belief(i);
+    const float share = 1.0F / static_cast<float>(std::max({before, behind, 1}));
     float change = 0.0F;
     for (const int e : at_[U(i)]) {
       const JointEdge& edge = graph_.edges[U(e)];
       const int j = Other(edge, i);
+      if ((place_[U(j)] > place_[U(i)]) != ahead || Count(j) == 0) continue;
       const std::vector<float>& back = MessageTo(e, i);
       std::vector<float>& out = MessageTo(e, j);
-      std::vector<float> fresh(out.size(), std::numeric_limits<float>::max());
+      fresh_.assign(out.size(), std::numeric_limits<float>::max());
       for (int a = 0; a < Count(i); ++a) {
-        for (int b = 0; b < Count(j); ++b) {
-          fresh[U(b)] = std::min(fresh[U(b)], belief[U(a)] - back[U(a)] + EdgeCost(edge, i, a, b));
-        }
+        const float base = share * belief[U(a)] - back[U(a)];
+        for (int b = 0; b < Count(j); ++b)
+          fresh_[U(b)] = std::min(fresh_[U(b)], base + EdgeCost(edge, i, a, b));
       }
-      if (fresh.empty() || Count(i) == 0) continue;
-      const float least = *std::min_element(fresh.begin(), fresh.end());
-      for (std::size_t b = 0; b < fresh.size(); ++b) {
-        // Halfway, since loops would let messages swing.
-        const float value = 0.5F * (fresh[b] - least) + 0.5F * out[b];
-        change = std::max(change, std::abs(value - out[b]));
-        out[b] = value;
+      const float least = *std::min_element(fresh_.begin(), fresh_.end());
+      for (std::size_t b = 0; b < out.size(); ++b) {
+        change = std::max(change, std::abs(fresh_[b] - least - out[b]));
+        out[b] = fresh_[b] - least;
       }
     }
     return change;
+  }
+
+  // The cheapest candidate of a piece, given those of its neighbours that come before it.
+  void Choose(int i) {
+    if (Count(i) == 0) return;
+    std::vector<float> cost = graph_.unary[U(i)];
+    for (const int e : at_[U(i)]) {
+      const JointEdge& edge = graph_.edges[U(e)];
+      const int j = Other(edge, i);
+      const bool known = labels_.candidate[U(j)] >= 0;
+      for (int a = 0; a < Count(i); ++a) {
+        cost[U(a)] += known ? EdgeCost(edge, i, a, labels_.candidate[U(j)]) : MessageTo(e, i)[U(a)];
+      }
+    }
+    labels_.candidate[U(i)] = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   }
 
   // Cost of all that depends on piece i, having candidate a.
@@ -198,34 +215,36 @@ class Inference {
     }
   }
 
-  // What it adds to the total cost to move all pieces of a surface up (1) or down (-1) by one order.
-  double MoveCost(const std::vector<int>& surface, int by) {
-    std::vector<bool>& inside = inside_;
-    inside.assign(pieces_.size(), false);
-    for (const int i : surface) inside[U(i)] = true;
+  // What it adds to the total cost to move all pieces of a surface up (1) or down (-1) by one order. As a
+  // margin, heights across the surface's edges count for little: how high a step is says hardly anything.
+  double MoveCost(const std::vector<int>& surface, int by, bool as_margin) {
+    inside_.assign(pieces_.size(), false);
+    for (const int i : surface) inside_[U(i)] = true;
     const auto moved = [&](int i) {
-      const int k = labels_.candidate[U(i)] + (inside[U(i)] ? by : 0);
+      const int k = labels_.candidate[U(i)] + (inside_[U(i)] ? by : 0);
       return k >= 0 && k < Count(i) ? k : -1;
     };
-    double cost = 0.0;
+    double cost = 0.0, steps = 0.0;
     for (const int i : surface) {
       const int a = labels_.candidate[U(i)], b = moved(i);
       cost += b < 0 ? kNoCandidateCost * graph_.observations[U(i)]
                     : graph_.unary[U(i)][U(b)] - graph_.unary[U(i)][U(a)];
       for (const int e : at_[U(i)]) {
-        const int j = Other(graph_.edges[U(e)], i);
-        if (labels_.candidate[U(j)] < 0 || (inside[U(j)] && j < i)) continue;
+        const JointEdge& edge = graph_.edges[U(e)];
+        const int j = Other(edge, i);
+        if (labels_.candidate[U(j)] < 0 || (inside_[U(j)] && j < i)) continue;
         const int to = moved(j);
         if (b < 0 || to < 0) continue;
-        cost += EdgeCost(graph_.edges[U(e)], i, b, to) -
-                EdgeCost(graph_.edges[U(e)], i, a, labels_.candidate[U(j)]);
+        const std::size_t was = Place(edge, i, a, labels_.candidate[U(j)]), is = Place(edge, i, b, to);
+        cost += edge.orders[is] - edge.orders[was];
+        (inside_[U(j)] ? cost : steps) += edge.heights[is] - edge.heights[was];
       }
     }
-    return cost;
+    return cost + (as_margin ? std::min(steps, options_.most_for_steps) : steps);
   }
 
   bool MoveSurface(const std::vector<int>& surface) {
-    const double down = MoveCost(surface, -1), up = MoveCost(surface, 1);
+    const double down = MoveCost(surface, -1, false), up = MoveCost(surface, 1, false);
     if (std::min(down, up) >= -1e-6) return false;
     const int by = down < up ? -1 : 1;
     for (const int i : surface) {
@@ -239,6 +258,8 @@ class Inference {
   const JointInferenceOptions& options_;
   std::vector<std::vector<int>> at_;  // edges of each piece
   std::vector<std::vector<float>> messages_;
+  std::vector<int> place_;    // of each piece, in the order of the sweeps
+  std::vector<float> fresh_;  // a message being made
   std::vector<std::vector<int>> surfaces_;
   std::vector<bool> inside_;
   JointLabels labels_;

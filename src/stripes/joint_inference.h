@@ -8,9 +8,10 @@
 namespace dorsum {
 
 struct JointInferenceOptions {
-  int max_sweeps = 40;       // of belief propagation, 1 to 1000
-  int cluster_rounds = 10;   // of shifting whole surfaces, 0 to 100
-  double smooth_cost = 0.7;  // cost of one observation below which two pieces are on one surface
+  int max_sweeps = 40;          // of message passing, 1 to 1000
+  int cluster_rounds = 10;      // of shifting whole surfaces, 0 to 100
+  double smooth_cost = 0.7;     // cost of one observation below which two pieces are on one surface
+  double most_for_steps = 2.0;  // what the heights of steps at a surface's edges may add to its margin
 };
 
 // The cheapest candidates found, and how sure they are.
@@ -22,8 +23,9 @@ struct JointLabels {
   std::vector<int> surface;  // to which one the piece belongs
 };
 
-// Min-sum belief propagation over the graph (Pearl 1988; sweeps forth and back in the manner of Kolmogorov
-// 2006), then single pieces and whole surfaces are moved by one order at a time as long as that costs less.
+// Tree-reweighted message passing over the graph (Kolmogorov, "Convergent tree-reweighted message passing for
+// energy minimization", PAMI 2006), then single pieces and whole surfaces are moved by one order at a time as
+// long as that costs less.
 JointLabels InferLabels(const std::vector<JointPiece>& pieces, const JointGraph& graph,
                         const JointInferenceOptions& options);
 

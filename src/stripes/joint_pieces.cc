@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -28,58 +29,78 @@ float LineAt(const StripePoint* first, const StripePoint* last, float v) {
   return static_cast<float>(det > 1e-9 ? (svv * su - sv * suv) / det : su / n);
 }
 
-// Cuts of one segment, as indices of the points that begin a piece; `hard` where the stripe itself breaks.
+// Where a piece begins; `hard` where the stripe itself breaks.
 struct Cut {
   std::int32_t at = 0;
   bool hard = true;
 };
+
+// How far the lines through the points before and after point i miss each other, relative to what is allowed.
+float Miss(const StripePoint* points, std::int32_t i, const JointPieceOptions& options) {
+  const std::int32_t k = options.kink_rows;
+  const float mid = 0.5F * (points[i].v + points[i - 1].v), reach = 0.5F * static_cast<float>(k);
+  const auto miss = [&](float v) {
+    return std::abs(LineAt(points + i - k, points + i, v) - LineAt(points + i, points + i + k, v));
+  };
+  return std::max(miss(mid) / options.step_px,
+                  std::max(miss(mid - reach), miss(mid + reach)) / options.kink_px);
+}
 
 std::vector<Cut> FindCuts(const LaserStripes& stripes, const StripeSegment& segment,
                           const JointPieceOptions& options) {
   const StripePoint* points = stripes.points.data();
   const std::int32_t end = segment.first + segment.count, k = options.kink_rows;
   std::vector<Cut> cuts{{segment.first, true}};
-  float worst = 0.0F;
+  const auto broken = [&](std::int32_t i) {
+    const float dv = points[i].v - points[i - 1].v, du = points[i].u - points[i - 1].u;
+    return dv > static_cast<float>(options.max_gap_rows) + 0.5F ||
+           std::abs(du) > options.max_jump_px * std::max(1.0F, dv);
+  };
+  const auto block = [&](std::int32_t i) {
+    return static_cast<int>(std::floor(points[i].v)) / options.block_rows;
+  };
+  std::int32_t run = segment.first;  // where the unbroken part begins
+  float worst = 1.0F;
   std::int32_t worst_at = -1;
   for (std::int32_t i = segment.first + 1; i < end; ++i) {
-    const float dv = points[i].v - points[i - 1].v, du = points[i].u - points[i - 1].u;
-    if (dv > static_cast<float>(options.max_gap_rows) + 0.5F ||
-        std::abs(du) > options.max_jump_px * std::max(1.0F, dv)) {
-      cuts.push_back({i, true});
-      worst_at = -1;
-      continue;
-    }
-    // Where two surfaces meet, the lines through the points above and below point elsewhere.
-    float miss = 0.0F;
-    if (i - cuts.back().at >= k && i + k <= end) {
-      const float mid = 0.5F * (points[i].v + points[i - 1].v), reach = 0.5F * static_cast<float>(k);
-      for (const float v : {mid - reach, mid + reach}) {
-        miss = std::max(
-            miss, std::abs(LineAt(points + i - k, points + i, v) - LineAt(points + i, points + i + k, v)));
-      }
-    }
-    if (miss > options.kink_px && miss > worst) {
+    const bool breaks = broken(i);
+    const float miss = !breaks && i - run >= k && i + k <= end ? Miss(points, i, options) : 0.0F;
+    if (miss > worst) {
       worst = miss;
       worst_at = i;
     }
-    if (worst_at >= 0 && (i - worst_at >= k / 2 || i + 1 == end)) {
+    if (worst_at >= 0 && (breaks || miss <= 1.0F || i + 1 == end)) {
       cuts.push_back({worst_at, true});
-      worst = 0.0F;
       worst_at = -1;
-    } else if (worst_at < 0 && i - cuts.back().at >= options.max_rows && end - i >= options.max_rows / 3) {
-      cuts.push_back({i, false});
+      worst = 1.0F;
+    }
+    if (breaks) {
+      cuts.push_back({i, true});
+      run = i;
     }
   }
   cuts.push_back({end, true});
-  return cuts;
+  // Blocks, unless that leaves crumbs.
+  std::vector<Cut> all;
+  for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
+    all.push_back(cuts[c]);
+    for (std::int32_t i = cuts[c].at + 1; i < cuts[c + 1].at; ++i) {
+      if (block(i) != block(i - 1) && i - all.back().at >= k && cuts[c + 1].at - i >= k) {
+        all.push_back({i, false});
+      }
+    }
+  }
+  all.push_back(cuts.back());
+  return all;
 }
 
 // The order along a pixel's ray as a parabola in w = 1 / (H - z), H the camera's height.
 class OrderAlongRay {
  public:
-  OrderAlongRay(const Camera& camera, double camera_height, const LaserGeometry& laser, SheetModel model,
-                double u, double v, const std::array<double, 3>& heights)
+  OrderAlongRay(const Camera& camera, double camera_height, const LaserGeometry& laser, double u, double v,
+                const std::array<double, 3>& heights)
       : camera_height_(camera_height) {
+    const SheetModel model = laser.fan ? SheetModel::kCone : SheetModel::kPlane;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto order = OrderAtHeight(camera, laser, model, {u, v}, heights[i]);
       if (!order) return;
@@ -112,7 +133,6 @@ class OrderAlongRay {
 
 void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, const LaserGeometry& laser,
                  const JointPieceOptions& options, JointPiece* piece) {
-  const SheetModel model = laser.fan ? SheetModel::kCone : SheetModel::kPlane;
   const Eigen::Vector3d centre = device.camera.Center();
   const double low = device.min_height_mm - options.slack_mm, high = device.max_height_mm + options.slack_mm;
   std::vector<const StripePoint*> at;
@@ -124,7 +144,7 @@ void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, cons
     if (!only && (piece->count < options.sample_rows || std::lround(p.v) % options.sample_rows != 0)) {
       continue;
     }
-    OrderAlongRay ray(device.camera, centre.z(), laser, model, p.u, p.v, {low, 0.5 * (low + high), high});
+    OrderAlongRay ray(device.camera, centre.z(), laser, p.u, p.v, {low, 0.5 * (low + high), high});
     if (!ray.valid()) continue;
     at.push_back(&p);
     rays.push_back(ray);
@@ -155,6 +175,49 @@ void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, cons
     }
     piece->samples.push_back(std::move(sample));
   }
+}
+
+// Where a piece that lies on the backplane for a while leaves it, or comes to it: the index of the first
+// sample behind; 0 where there is no such place.
+std::size_t BackplaneEnd(const JointPiece& piece, const JointPieceOptions& options) {
+  const auto n = piece.samples.size(), need = static_cast<std::size_t>(options.backplane_samples);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(piece.candidates); ++k) {
+    const auto all = [&](std::size_t from, std::size_t to, bool near) {
+      for (std::size_t i = from; i < to; ++i) {
+        const float z = std::abs(piece.samples[i].z[k]);
+        if (near ? !(z < options.backplane_mm) : !(z > 1.5F * options.backplane_mm)) return false;
+      }
+      return true;
+    };
+    for (std::size_t i = need; i + need <= n; ++i) {
+      // One sample in between may be neither.
+      if (all(i - need, i, true) &&
+          (all(i, i + need, false) || (i + need < n && all(i + 1, i + 1 + need, false)))) {
+        return i;
+      }
+      if (all(i, i + need, true) &&
+          (all(i - need, i, false) || (i > need && all(i - 1 - need, i - 1, false)))) {
+        return i;
+      }
+    }
+  }
+  return 0;
+}
+
+// Takes the part from sample `at` on off a piece, and returns it.
+JointPiece SplitOff(const LaserStripes& stripes, std::size_t at, JointPiece* piece) {
+  JointPiece rest = *piece;
+  const float v = piece->samples[at].v;
+  std::int32_t first = piece->first;
+  while (stripes.points[static_cast<std::size_t>(first)].v < v - 0.5F) ++first;
+  rest.first = first;
+  rest.count = piece->first + piece->count - first;
+  rest.follows = false;
+  piece->count = first - piece->first;
+  const auto middle = static_cast<std::ptrdiff_t>(at);
+  rest.samples.erase(rest.samples.begin(), rest.samples.begin() + middle);
+  piece->samples.erase(piece->samples.begin() + middle, piece->samples.end());
+  return rest;
 }
 
 }  // namespace
@@ -190,7 +253,16 @@ std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, cons
     const LaserStripes& own = stripes[static_cast<std::size_t>(piece.laser)];
     FillHeights(own, device, *device.FindLaser(own.laser), options, &piece);
   });
-  return pieces;
+  std::vector<JointPiece> out;
+  for (JointPiece& piece : pieces) {
+    const LaserStripes& own = stripes[static_cast<std::size_t>(piece.laser)];
+    for (std::size_t at = BackplaneEnd(piece, options); at != 0; at = BackplaneEnd(piece, options)) {
+      JointPiece rest = SplitOff(own, at, &piece);
+      out.push_back(std::exchange(piece, std::move(rest)));
+    }
+    out.push_back(std::move(piece));
+  }
+  return out;
 }
 
 }  // namespace dorsum

@@ -11,13 +11,16 @@
 namespace dorsum {
 
 struct JointPieceOptions {
-  int sample_rows = 3;       // heights are worked out in every n-th image row, 1 to 10
-  int max_rows = 48;         // longer stripes are cut here, so that one mistake stays short, rows, 12 to 2000
-  float max_jump_px = 2.5F;  // a stripe that jumps further between two points is cut, px
-  int max_gap_rows = 3;      // and one that is interrupted for longer, rows
-  int kink_rows = 7;         // rows on each side of a point whose lines are compared, 4 to 30
-  float kink_px = 1.5F;      // how far the two lines may miss each other, that many rows on, px
-  double slack_mm = 3.0;     // heights this far outside the working volume are still written down, mm
+  int sample_rows = 3;  // heights are worked out in every n-th image row, 1 to 10
+  int block_rows = 48;  // stripes are cut at every n-th row too, so that one mistake stays short, 12 to 2000
+  float max_jump_px = 2.5F;   // a stripe that jumps further between two points is cut, px
+  int max_gap_rows = 3;       // and one that is interrupted for longer, rows
+  int kink_rows = 7;          // rows on each side of a point whose lines are compared, 4 to 30
+  float step_px = 0.8F;       // how far the two lines may miss each other where they meet, px
+  float kink_px = 1.5F;       // and how far half that many rows on, px
+  double slack_mm = 3.0;      // heights this far outside the working volume are still written down, mm
+  float backplane_mm = 0.4F;  // a stripe that lies this close to height 0 and then leaves it is cut, mm
+  int backplane_samples = 3;  // samples that it must lie there, and must be away, 2 to 20
 };
 
 // The heights at one place of a piece, mm, one for each of the piece's candidates; NaN where the pixel's ray
