@@ -100,14 +100,15 @@ struct MountingDesign {
 
 struct SpeckleDesign {
   double contrast = 0.15;       // standard deviation over mean of laser light on the sensor, 0 to 1
-  double correlation_px = 1.1;  // Gaussian sigma of its grain, 0 to 10
+  double correlation_px = 0.6;  // sigma of the Gaussian that shapes its grain, 0 to 10: neighbours d px
+                                // apart correlate by exp(-(d / (2 sigma))^2)
 };
 
 // How a stripe widens under skin: part of the light comes out after wandering.
 struct SkinDesign {
-  double line_blur_mm = 0.3;      // added to the line's own width in quadrature, 0 to 5
-  double scatter_share = 0.35;    // of the light, in a wider Gaussian, 0 to 1
-  double scatter_sigma_mm = 1.4;  // its width, 0.01 to 20
+  double line_blur_mm = 0.1;      // added to the line's own width in quadrature, 0 to 5
+  double scatter_share = 0.5;     // of the light, in a wider Gaussian, 0 to 1
+  double scatter_sigma_mm = 1.3;  // its width, 0.01 to 20
 };
 
 struct DeviceDescription {
