@@ -2,6 +2,7 @@
 #include "stripes/local_polynomial.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dorsum {
@@ -49,22 +50,16 @@ LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_
   const Vector3& c = inverse[0];
   out.u = c[0] * right[0] + c[1] * right[1] + c[2] * right[2];
   out.slope = (inverse[1][0] * right[0] + inverse[1][1] * right[1] + inverse[1][2] * right[2]) * scale;
-  // The estimate is a sum of g_i u_i; past[] keeps g_i sd_i of the last rows, by row number.
-  std::array<double, kLags> past{};
-  double variance = 0.0;
-  long at = std::lround(curve.v[first]);
+  // The estimate is a sum of g_i u_i. Its variance is sum g_i^2 s_i^2 + 2 share sum_i g_i s_i S_i, where S_i
+  // gathers the earlier rows' g s, each shrunk by `decay` per row.
+  double variance = 0.0, earlier = 0.0, row = curve.v[first];
   for (std::size_t i = first; i <= last; ++i) {
     if (curve.use[i] == 0) continue;
     const double t = (curve.v[i] - v) * scale;
-    const double g = (c[0] + t * (c[1] + t * c[2])) / curve.sd[i];  // weight * sd
-    const long row = std::lround(curve.v[i]);
-    for (; at < row; ++at) {
-      for (std::size_t k = kLags - 1; k > 0; --k) past[k] = past[k - 1];
-      past[0] = 0.0;
-    }
-    past[0] = g;
-    variance += g * g;
-    for (std::size_t k = 1; k < kLags; ++k) variance += 2.0 * correlation[k] * g * past[k];
+    const double g = (c[0] + t * (c[1] + t * c[2])) / curve.sd[i];  // weight times deviation
+    for (; row < curve.v[i] - 0.5; row += 1.0) earlier *= correlation.decay;
+    variance += g * (g + 2.0 * correlation.share * earlier);
+    earlier += g;
   }
   out.sd = std::sqrt(std::max(variance, 1e-12));
   out.ok = true;

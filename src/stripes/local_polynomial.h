@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -14,9 +14,13 @@ struct StripeCurve {
   std::vector<char> use;     // 0: left out of every pool
 };
 
-// Correlation of the errors of rows 0, 1, 2 ... apart; beyond, none.
-inline constexpr std::size_t kLags = 8;
-using RowCorrelation = std::array<double, kLags>;
+// Correlation of the errors of two rows k > 0 apart: share * decay^k. A share below 1 leaves some noise to
+// each row alone; above 1, neighbours are more alike than an exponential has it, as speckle's are.
+struct RowCorrelation {
+  double share = 0.0, decay = 0.5;
+
+  double At(int rows) const { return rows == 0 ? 1.0 : share * std::pow(decay, rows); }
+};
 
 struct LocalEstimate {
   bool ok = false;

@@ -13,8 +13,6 @@
 namespace dorsum {
 namespace {
 
-constexpr int kFirstHalfRows = 12;  // windows before anything is known
-
 StripeCurve CurveOf(const LaserStripes& stripes, const StripeSegment& segment) {
   StripeCurve curve;
   for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
@@ -65,28 +63,23 @@ Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<i
 
 LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& options, const Context& context) {
   std::vector<StripeCurve> curves;
-  std::vector<std::vector<int>> half_rows;
-  for (const StripeSegment& segment : stripes.segments) {
-    curves.push_back(CurveOf(stripes, segment));
-    half_rows.emplace_back(curves.back().v.size(), kFirstHalfRows);
-  }
+  for (const StripeSegment& segment : stripes.segments) curves.push_back(CurveOf(stripes, segment));
   const std::vector<int> sizes = WindowSizes(options);
-  for (int pass = 0; pass < 2; ++pass) {
-    const RowNoise noise = MeasureRowNoise(half_rows, options.outlier_sd, &curves);
-    ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
-      const auto i = static_cast<std::size_t>(n);
-      const StripeCurve& curve = curves[i];
-      for (std::size_t k = 0; k < curve.v.size(); ++k) {
-        const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence);
-        StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
-        if (choice.half_rows == 0) continue;
-        half_rows[i][k] = std::max(choice.half_rows, options.min_half_rows);
-        if (pass == 0) continue;
-        p.u = static_cast<float>(choice.estimate.u);
-        p.sd_px = static_cast<float>(choice.estimate.sd);
-      }
-    });
-  }
+  const RowNoise noise = MeasureRowNoise(options.noise, &curves);
+  if (getenv("DBG"))
+    fprintf(stderr, "scale %.2f share %.2f decay %.2f\n", noise.scale, noise.correlation.share,
+            noise.correlation.decay);
+  ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
+    const auto i = static_cast<std::size_t>(n);
+    const StripeCurve& curve = curves[i];
+    for (std::size_t k = 0; k < curve.v.size(); ++k) {
+      const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence);
+      if (choice.half_rows == 0) continue;
+      StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
+      p.u = static_cast<float>(choice.estimate.u);
+      p.sd_px = static_cast<float>(choice.estimate.sd);
+    }
+  });
   for (StripeSegment& segment : stripes.segments) {
     for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
       const float u = stripes.points[static_cast<std::size_t>(i)].u;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/context.h"
+#include "stripes/row_noise.h"
 #include "stripes/stripes.h"
 
 namespace dorsum {
@@ -9,8 +10,8 @@ namespace dorsum {
 struct PoolingOptions {
   int min_half_rows = 3;    // smallest window: this many rows to either side, 2 to 20
   int max_half_rows = 48;   // largest, rows
-  double confidence = 2.0;  // windows grow while their estimates agree within this many standard deviations
-  double outlier_sd = 4.0;  // a row further from its neighbours' curve than this is left out of the pool
+  double confidence = 1.0;  // windows grow while their estimates agree within this many standard deviations
+  RowNoiseOptions noise;
 };
 
 // Local quadratic regression of u over the rows of each segment, with the largest window that the noise does
