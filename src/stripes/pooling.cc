@@ -33,26 +33,36 @@ std::vector<int> WindowSizes(const PoolingOptions& options) {
   return sizes;
 }
 
-// The widest window whose estimate lies in the confidence intervals of all narrower ones.
+// The widest window whose estimate does not contradict those of all narrower ones.
 struct Choice {
   LocalEstimate estimate;
   int half_rows = 0;
 };
 
+// A wider window holds the narrower one's rows, so the difference of their estimates has about the difference
+// of their variances (Hausman 1978), far less than either where they share most of the noise.
+bool Agree(const LocalEstimate& wide, const LocalEstimate& narrow, double confidence) {
+  static const double fl = getenv("FL") ? atof(getenv("FL")) : 0.1;
+  const double narrow_variance = narrow.sd * narrow.sd;
+  const double variance = std::max(narrow_variance - wide.sd * wide.sd, fl * narrow_variance);
+  const double apart = wide.u - narrow.u;
+  return apart * apart <= confidence * confidence * variance;
+}
+
 Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<int>& sizes,
-                    const RowNoise& noise, double scale, double confidence) {
+                    const RowNoise& noise, double scale, double confidence, std::vector<LocalEstimate>* tried) {
   Choice choice;
-  double low = -INFINITY, high = INFINITY;
+  tried->clear();
   for (const int half : sizes) {
     const auto h = static_cast<std::size_t>(half);
     const std::size_t first = k > h ? k - h : 0, last = std::min(curve.v.size() - 1, k + h);
     LocalEstimate fit = FitLocally(curve, first, last, curve.v[k], noise.correlation);
     if (!fit.ok) continue;
     fit.sd *= scale;
-    low = std::max(low, fit.u - confidence * fit.sd);
-    high = std::min(high, fit.u + confidence * fit.sd);
-    if (low > high) break;
-    if (choice.half_rows > 0 && fit.sd > choice.estimate.sd) continue;
+    bool agrees = true;
+    for (const LocalEstimate& narrow : *tried) agrees = agrees && Agree(fit, narrow, confidence);
+    if (!agrees) break;
+    tried->push_back(fit);
     choice = {fit, half};
     if (first == 0 && last + 1 == curve.v.size()) break;
   }
@@ -64,6 +74,7 @@ Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<i
 LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& options, const Context& context) {
   std::vector<StripeCurve> curves;
   for (const StripeSegment& segment : stripes.segments) curves.push_back(CurveOf(stripes, segment));
+  double conf = getenv("CONF") ? atof(getenv("CONF")) : options.confidence;
   const std::vector<int> sizes = WindowSizes(options);
   const RowNoise noise = MeasureRowNoise(options.noise, &curves);
   if (getenv("DBG"))
@@ -72,8 +83,9 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
   ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
     const auto i = static_cast<std::size_t>(n);
     const StripeCurve& curve = curves[i];
+    std::vector<LocalEstimate> tried;
     for (std::size_t k = 0; k < curve.v.size(); ++k) {
-      const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence);
+      const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], conf, &tried);
       if (choice.half_rows == 0) continue;
       StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
       p.u = static_cast<float>(choice.estimate.u);

@@ -63,7 +63,15 @@ std::size_t WeakRows(const std::vector<StripePoint>& points, const RidgeOptions&
   return weak;
 }
 
-LaserStripes TrimEnds(const LaserStripes& stripes, const RidgeOptions& options) {
+// Compression leaves faint traces as long as its blocks: short segments must be bright, dim ones long.
+bool IsEvident(const std::vector<StripePoint>& points, const NoiseModel& noise, const RidgeOptions& options) {
+  if (static_cast<int>(points.size()) < options.linking.min_rows) return false;
+  double sum = 0.0;
+  for (const StripePoint& p : points) sum += static_cast<double>(p.peak);
+  return sum >= options.min_evidence * std::sqrt(noise.Variance(0.0));
+}
+
+LaserStripes TrimEnds(const LaserStripes& stripes, const NoiseModel& noise, const RidgeOptions& options) {
   std::vector<std::vector<StripePoint>> kept;
   for (const StripeSegment& s : stripes.segments) {
     const auto first = stripes.points.begin() + s.first;
@@ -72,7 +80,7 @@ LaserStripes TrimEnds(const LaserStripes& stripes, const RidgeOptions& options) 
     std::reverse(points.begin(), points.end());
     points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(WeakRows(points, options)));
     std::reverse(points.begin(), points.end());
-    if (static_cast<int>(points.size()) >= options.linking.min_rows) kept.push_back(std::move(points));
+    if (IsEvident(points, noise, options)) kept.push_back(std::move(points));
   }
   return AssembleStripes(kept, stripes.laser);
 }
@@ -95,7 +103,10 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
     rows[i] = MeasureRow(green.ptr<std::uint8_t>(static_cast<int>(row)), candidates[i], static_cast<int>(row),
                          green.cols, survey, options);
   });
-  return TrimEnds(LinkSegments(rows, laser, options.linking), options);
+  if (getenv("DBG"))
+    fprintf(stderr, "width %.2f noise %.2f %.3f %.4f\n", survey.width_px, survey.noise.constant,
+            survey.noise.linear, survey.noise.quadratic);
+  return TrimEnds(LinkSegments(rows, laser, options.linking), survey.noise, options);
 }
 
 }  // namespace dorsum

@@ -8,7 +8,7 @@
 namespace dorsum {
 
 struct RowNoiseOptions {
-  int half_rows = 10;       // of the local quadratics whose residuals are looked at
+  int half_rows = 15;       // of the local quadratics whose residuals are looked at
   double outlier_sd = 4.5;  // a point further off than this is taken out of use
 };
 
