@@ -23,14 +23,13 @@ class Inference {
       at_[static_cast<std::size_t>(graph.edges[e].first)].push_back(static_cast<int>(e));
       at_[static_cast<std::size_t>(graph.edges[e].second)].push_back(static_cast<int>(e));
     }
-    labels_.candidate.assign(pieces.size(), -1);
+    labels_.candidate = PassMessages(pieces, graph, options.messages);
     labels_.own_margin.assign(pieces.size(), 0.0);
     labels_.surface_margin.assign(pieces.size(), 0.0);
     labels_.surface.assign(pieces.size(), 0);
   }
 
   JointLabels Run() {
-    PropagateBeliefs();
     Polish();
     for (int round = 0; round < options_.cluster_rounds; ++round) {
       FindSurfaces();
@@ -62,87 +61,6 @@ class Inference {
   float EdgeCost(const JointEdge& e, int i, int a, int b) const {
     const std::size_t k = Place(e, i, a, b);
     return e.heights[k] + e.orders[k];
-  }
-
-  // messages_[2 e] goes to the first piece of edge e, messages_[2 e + 1] to the second.
-  std::vector<float>& MessageTo(int e, int i) {
-    return messages_[2 * U(e) + (graph_.edges[U(e)].first == i ? 0U : 1U)];
-  }
-
-  // Sequential tree-reweighted message passing (Kolmogorov 2006, figure 2): each sweep along the columns
-  // sends messages ahead only, then the next one sends them back.
-  void PropagateBeliefs() {
-    messages_.resize(2 * graph_.edges.size());
-    for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
-      messages_[2 * e].assign(U(Count(graph_.edges[e].first)), 0.0F);
-      messages_[2 * e + 1].assign(U(Count(graph_.edges[e].second)), 0.0F);
-    }
-    std::vector<int> order(pieces_.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto column = [&](int i) {
-      const auto& s = pieces_[U(i)].samples;
-      return s.empty() ? 0.0F : s[s.size() / 2].u;
-    };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return column(a) < column(b); });
-    place_.resize(pieces_.size());
-    for (std::size_t k = 0; k < order.size(); ++k) place_[U(order[k])] = static_cast<int>(k);
-    for (int sweep = 0; sweep < options_.max_sweeps; ++sweep) {
-      const bool ahead = sweep % 2 == 0;
-      float change = 0.0F;
-      for (std::size_t k = 0; k < order.size(); ++k) {
-        change = std::max(change, SendFrom(ahead ? order[k] : order[order.size() - 1 - k], ahead));
-      }
-      if (change < 1e-2F) break;
-    }
-    for (const int i : order) Choose(i);
-  }
-
-  // Sends messages from a piece to its neighbours on one side; the largest change.
-  float SendFrom(int i, bool ahead) {
-    if (Count(i) == 0) return 0.0F;
-    std::vector<float> belief = graph_.unary[U(i)];
-    int before = 0, behind = 0;
-    for (const int e : at_[U(i)]) {
-      const std::vector<float>& m = MessageTo(e, i);
-      for (std::size_t k = 0; k < belief.size(); ++k) belief[k] += m[k];
-      ++(place_[U(Other(graph_.edges[U(e)], i))] < place_[U(i)] ? before : behind);
-    }
-    const float share = 1.0F / static_cast<float>(std::max({before, behind, 1}));
-    float change = 0.0F;
-    for (const int e : at_[U(i)]) {
-      const JointEdge& edge = graph_.edges[U(e)];
-      const int j = Other(edge, i);
-      if ((place_[U(j)] > place_[U(i)]) != ahead || Count(j) == 0) continue;
-      const std::vector<float>& back = MessageTo(e, i);
-      std::vector<float>& out = MessageTo(e, j);
-      fresh_.assign(out.size(), std::numeric_limits<float>::max());
-      for (int a = 0; a < Count(i); ++a) {
-        const float base = share * belief[U(a)] - back[U(a)];
-        for (int b = 0; b < Count(j); ++b)
-          fresh_[U(b)] = std::min(fresh_[U(b)], base + EdgeCost(edge, i, a, b));
-      }
-      const float least = *std::min_element(fresh_.begin(), fresh_.end());
-      for (std::size_t b = 0; b < out.size(); ++b) {
-        change = std::max(change, std::abs(fresh_[b] - least - out[b]));
-        out[b] = fresh_[b] - least;
-      }
-    }
-    return change;
-  }
-
-  // The cheapest candidate of a piece, given those of its neighbours that come before it.
-  void Choose(int i) {
-    if (Count(i) == 0) return;
-    std::vector<float> cost = graph_.unary[U(i)];
-    for (const int e : at_[U(i)]) {
-      const JointEdge& edge = graph_.edges[U(e)];
-      const int j = Other(edge, i);
-      const bool known = labels_.candidate[U(j)] >= 0;
-      for (int a = 0; a < Count(i); ++a) {
-        cost[U(a)] += known ? EdgeCost(edge, i, a, labels_.candidate[U(j)]) : MessageTo(e, i)[U(a)];
-      }
-    }
-    labels_.candidate[U(i)] = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   }
 
   // Cost of all that depends on piece i, having candidate a.
@@ -257,9 +175,6 @@ class Inference {
   const JointGraph& graph_;
   const JointInferenceOptions& options_;
   std::vector<std::vector<int>> at_;  // edges of each piece
-  std::vector<std::vector<float>> messages_;
-  std::vector<int> place_;    // of each piece, in the order of the sweeps
-  std::vector<float> fresh_;  // a message being made
   std::vector<std::vector<int>> surfaces_;
   std::vector<bool> inside_;
   JointLabels labels_;

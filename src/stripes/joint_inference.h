@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "stripes/joint_graph.h"
+#include "stripes/joint_messages.h"
 
 namespace dorsum {
 
 struct JointInferenceOptions {
-  int max_sweeps = 40;          // of message passing, 1 to 1000
+  MessagePassingOptions messages;
   int cluster_rounds = 10;      // of shifting whole surfaces, 0 to 100
   double smooth_cost = 0.7;     // cost of one observation below which two pieces are on one surface
   double most_for_steps = 2.0;  // what the heights of steps at a surface's edges may add to its margin
@@ -23,9 +24,8 @@ struct JointLabels {
   std::vector<int> surface;  // to which one the piece belongs
 };
 
-// Tree-reweighted message passing over the graph (Kolmogorov, "Convergent tree-reweighted message passing for
-// energy minimization", PAMI 2006), then single pieces and whole surfaces are moved by one order at a time as
-// long as that costs less.
+// PassMessages() first, then single pieces and whole surfaces are moved by one order at a time as long as
+// that costs less.
 JointLabels InferLabels(const std::vector<JointPiece>& pieces, const JointGraph& graph,
                         const JointInferenceOptions& options);
 
