@@ -24,16 +24,16 @@ bool InvertMoments(const std::array<double, 5>& s, std::array<Vector3, 3>* inver
 
 }  // namespace
 
-LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_t last, double v,
+LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_t last, std::size_t k,
                          const RowCorrelation& correlation) {
   LocalEstimate out;
   std::array<double, 5> s{};
   Vector3 right{};
-  const double scale = 1.0 / std::max(1.0, 0.5 * (curve.v[last] - curve.v[first]));
+  const double scale = 1.0 / std::max(1e-6, 0.5 * (curve.angle[last] - curve.angle[first]));
   int count = 0;
   for (std::size_t i = first; i <= last; ++i) {
     if (curve.use[i] == 0) continue;
-    const double w = 1.0 / (curve.sd[i] * curve.sd[i]), t = (curve.v[i] - v) * scale;
+    const double w = 1.0 / (curve.sd[i] * curve.sd[i]), t = (curve.angle[i] - curve.angle[k]) * scale;
     const double wt = w * t, wtt = wt * t;
     s[0] += w;
     s[1] += wt;
@@ -49,13 +49,12 @@ LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_
   if (count < 5 || !InvertMoments(s, &inverse)) return out;
   const Vector3& c = inverse[0];
   out.u = c[0] * right[0] + c[1] * right[1] + c[2] * right[2];
-  out.slope = (inverse[1][0] * right[0] + inverse[1][1] * right[1] + inverse[1][2] * right[2]) * scale;
   // The estimate is a sum of g_i u_i. Its variance is sum g_i^2 s_i^2 + 2 share sum_i g_i s_i S_i, where S_i
   // gathers the earlier rows' g s, each shrunk by `decay` per row.
   double variance = 0.0, earlier = 0.0, row = curve.v[first];
   for (std::size_t i = first; i <= last; ++i) {
     if (curve.use[i] == 0) continue;
-    const double t = (curve.v[i] - v) * scale;
+    const double t = (curve.angle[i] - curve.angle[k]) * scale;
     const double g = (c[0] + t * (c[1] + t * c[2])) / curve.sd[i];  // weight times deviation
     for (; row < curve.v[i] - 0.5; row += 1.0) earlier *= correlation.decay;
     variance += g * (g + 2.0 * correlation.share * earlier);

@@ -10,8 +10,12 @@ namespace dorsum {
 // A stripe as a function of the row, prepared for local regression.
 struct StripeCurve {
   std::vector<double> v, u;  // px
-  std::vector<double> sd;    // px, of the single row
-  std::vector<char> use;     // 0: left out of every pool
+  // The regression's variable: the angle of v = middle - half length * cos(angle). Where a stripe runs over
+  // the round edge of an object, u goes with the square root of the distance to the end: a straight line in
+  // it.
+  std::vector<double> angle;
+  std::vector<double> sd;  // px, of the single row
+  std::vector<char> use;   // 0: left out of every pool
 };
 
 // Correlation of the errors of two rows k > 0 apart: share * decay^k. A share below 1 leaves some noise to
@@ -24,13 +28,12 @@ struct RowCorrelation {
 
 struct LocalEstimate {
   bool ok = false;
-  double u = 0.0, slope = 0.0;  // px, px per row
-  double sd = 0.0;              // px
+  double u = 0.0, sd = 0.0;  // px
 };
 
-// Weighted least-squares quadratic through the usable points [first, last] around row v, evaluated there, and
-// its standard deviation when errors of neighbouring rows are correlated.
-LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_t last, double v,
+// Weighted least-squares quadratic through the usable points [first, last] around point k, evaluated there,
+// and its standard deviation when errors of neighbouring rows are correlated.
+LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_t last, std::size_t k,
                          const RowCorrelation& correlation);
 
 }  // namespace dorsum

@@ -22,6 +22,8 @@ StripeCurve CurveOf(const LaserStripes& stripes, const StripeSegment& segment) {
     curve.sd.push_back(std::max(1e-3, static_cast<double>(p.sd_px)));
     curve.use.push_back(1);
   }
+  const double from = curve.v.front() - 0.5, length = curve.v.back() + 0.5 - from;
+  for (const double v : curve.v) curve.angle.push_back(std::acos(1.0 - 2.0 * (v - from) / length));
   return curve;
 }
 
@@ -50,13 +52,14 @@ bool Agree(const LocalEstimate& wide, const LocalEstimate& narrow, double confid
 }
 
 Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<int>& sizes,
-                    const RowNoise& noise, double scale, double confidence, std::vector<LocalEstimate>* tried) {
+                    const RowNoise& noise, double scale, double confidence,
+                    std::vector<LocalEstimate>* tried) {
   Choice choice;
   tried->clear();
   for (const int half : sizes) {
     const auto h = static_cast<std::size_t>(half);
     const std::size_t first = k > h ? k - h : 0, last = std::min(curve.v.size() - 1, k + h);
-    LocalEstimate fit = FitLocally(curve, first, last, curve.v[k], noise.correlation);
+    LocalEstimate fit = FitLocally(curve, first, last, k, noise.correlation);
     if (!fit.ok) continue;
     fit.sd *= scale;
     bool agrees = true;

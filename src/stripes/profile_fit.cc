@@ -104,7 +104,8 @@ void Begin(const std::uint8_t* row, const ProfileStart& start, const ProfileFitO
 }
 
 bool IsSane(const ProfileFit& fit, const ProfileStart& start, const ProfileFitOptions& options) {
-  return std::isfinite(fit.u) && fit.u > fit.first && fit.u < fit.last &&
+  const double beyond = start.hold_width ? start.width : 0.0;
+  return std::isfinite(fit.u) && fit.u > fit.first - beyond && fit.u < fit.last + beyond &&
          std::abs(fit.u - start.u) < 1.5 * std::max(fit.width, start.width) && fit.amplitude > 0.0 &&
          fit.amplitude < 5000.0 && fit.width >= options.min_width_px && fit.width <= options.max_width_px;
 }
@@ -175,12 +176,12 @@ double ProfileFit::At(double column) const {
 
 ProfileFit FitProfile(const std::uint8_t* row, const ProfileStart& start, const NoiseModel& noise,
                       const ProfileFitOptions& options) {
+  if (start.hold_width) return Attempt(row, start, noise, options, true);
   ProfileFit fit = Attempt(row, start, noise, options, false);
   // A profile much wider or narrower than the start's asks for its own window.
-  for (int i = 0; i < 2 && fit.ok; ++i) {
-    const double wanted = std::max(3.0, options.half_window_sd * fit.width);
-    const double had = std::max(3.0, options.half_window_sd * (i == 0 ? start.width : fit.width));
-    if (i > 0 || (wanted < 1.25 * had && wanted > 0.7 * had)) break;
+  const double wanted = std::max(3.0, options.half_window_sd * fit.width);
+  const double had = std::max(3.0, options.half_window_sd * start.width);
+  if (fit.ok && (wanted > 1.25 * had || wanted < 0.7 * had)) {
     ProfileStart again = start;
     again.u = fit.u;
     again.width = fit.width;

@@ -18,6 +18,7 @@ struct ProfileFitOptions {
 struct ProfileStart {
   double u = 0.0, width = 2.0;  // px
   int first = 0, last = 0;      // columns
+  bool hold_width = false;      // the centre may then lie a width outside [first, last]
 };
 
 // A Gaussian on an even background, in one row of an image.

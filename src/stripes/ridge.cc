@@ -33,6 +33,8 @@ std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vecto
     const ProfileFit fit =
         FitProfile(pixels, StartOf(row, i, survey.width_px, cols), survey.noise, options.fit);
     if (!fit.ok || fit.width > options.max_width_ratio * survey.width_px) continue;
+    // Where the image cuts the profile near its middle, width and centre cannot be told apart.
+    if (fit.u < 0.7 * fit.width || fit.u > cols - 1.0 - 0.7 * fit.width) continue;
     StripePoint p;
     p.u = static_cast<float>(fit.u);
     p.v = static_cast<float>(v);
@@ -106,7 +108,10 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
   if (getenv("DBG"))
     fprintf(stderr, "width %.2f noise %.2f %.3f %.4f\n", survey.width_px, survey.noise.constant,
             survey.noise.linear, survey.noise.quadratic);
-  return TrimEnds(LinkSegments(rows, laser, options.linking), survey.noise, options);
+  const LaserStripes linked = LinkSegments(rows, laser, options.linking);
+  const LaserStripes mended =
+      MendCutStripes(green, linked, survey.noise, survey.width_px, options.fit, options.cut, context);
+  return TrimEnds(mended, survey.noise, options);
 }
 
 }  // namespace dorsum

@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "base/context.h"
+#include "stripes/cut_stripes.h"
 #include "stripes/profile_fit.h"
 #include "stripes/ridge_detection.h"
 #include "stripes/segment_linking.h"
@@ -16,6 +17,7 @@ struct RidgeOptions {
   RidgeDetectionOptions detection;  // its width_px is set from the above
   ProfileFitOptions fit;
   SegmentLinkingOptions linking;
+  CutStripeOptions cut;
   double max_width_ratio = 4.0;  // a profile this much wider than the image's usual one is no stripe
   // A segment ends where its amplitude has fallen below this share of what the rows before had, 0 to 1.
   double end_share = 0.5;
