@@ -2,12 +2,12 @@
 #include "stripes/joint_pieces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "base/parallel.h"
+#include "stripes/ray_orders.h"
 
 namespace dorsum {
 namespace {
@@ -94,49 +94,12 @@ std::vector<Cut> FindCuts(const LaserStripes& stripes, const StripeSegment& segm
   return all;
 }
 
-// The order along a pixel's ray as a parabola in w = 1 / (H - z), H the camera's height.
-class OrderAlongRay {
- public:
-  OrderAlongRay(const Camera& camera, double camera_height, const LaserGeometry& laser, double u, double v,
-                const std::array<double, 3>& heights)
-      : camera_height_(camera_height) {
-    const SheetModel model = laser.fan ? SheetModel::kCone : SheetModel::kPlane;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto order = OrderAtHeight(camera, laser, model, {u, v}, heights[i]);
-      if (!order) return;
-      order_[i] = *order;
-      w_[i] = 1.0 / (camera_height - heights[i]);
-    }
-    slope_ = (order_[1] - order_[0]) / (w_[1] - w_[0]);
-    curve_ = ((order_[2] - order_[1]) / (w_[2] - w_[1]) - slope_) / (w_[2] - w_[0]);
-    valid_ = std::isfinite(slope_) && std::isfinite(curve_) && slope_ != 0.0;
-  }
-
-  bool valid() const { return valid_; }
-  double Lowest() const { return order_[0]; }
-  double Highest() const { return order_[2]; }
-
-  double HeightOf(double order) const {
-    double w = w_[0] + (order - order_[0]) / slope_;
-    for (int i = 0; i < 3; ++i) {
-      const double value = order_[0] + (w - w_[0]) * (slope_ + curve_ * (w - w_[1])) - order;
-      w -= value / (slope_ + curve_ * (2.0 * w - w_[0] - w_[1]));
-    }
-    return camera_height_ - 1.0 / w;
-  }
-
- private:
-  double camera_height_ = 0.0, slope_ = 0.0, curve_ = 0.0;
-  std::array<double, 3> order_{}, w_{};
-  bool valid_ = false;
-};
-
 void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, const LaserGeometry& laser,
                  const JointPieceOptions& options, JointPiece* piece) {
   const Eigen::Vector3d centre = device.camera.Center();
   const double low = device.min_height_mm - options.slack_mm, high = device.max_height_mm + options.slack_mm;
   std::vector<const StripePoint*> at;
-  std::vector<OrderAlongRay> rays;
+  std::vector<RayOrders> rays;
   // Rows are those of a fixed comb, so that the pieces' samples meet; a shorter piece has its middle.
   for (std::int32_t i = piece->first; i < piece->first + piece->count; ++i) {
     const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
@@ -144,7 +107,7 @@ void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, cons
     if (!only && (piece->count < options.sample_rows || std::lround(p.v) % options.sample_rows != 0)) {
       continue;
     }
-    OrderAlongRay ray(device.camera, centre.z(), laser, p.u, p.v, {low, 0.5 * (low + high), high});
+    const RayOrders ray(device.camera, laser, p.u, p.v, low, high);
     if (!ray.valid()) continue;
     at.push_back(&p);
     rays.push_back(ray);
@@ -152,11 +115,12 @@ void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, cons
   if (rays.empty()) return;
   int first = std::numeric_limits<int>::max(), last = std::numeric_limits<int>::min();
   double direction = 0.0;
-  for (const OrderAlongRay& ray : rays) {
-    const double a = std::min(ray.Lowest(), ray.Highest()), b = std::max(ray.Lowest(), ray.Highest());
+  for (const RayOrders& ray : rays) {
+    const double a = std::min(ray.OrderAtLow(), ray.OrderAtHigh()),
+                 b = std::max(ray.OrderAtLow(), ray.OrderAtHigh());
     first = std::min(first, static_cast<int>(std::ceil(a)));
     last = std::max(last, static_cast<int>(std::floor(b)));
-    direction += ray.Highest() - ray.Lowest();
+    direction += ray.OrderAtHigh() - ray.OrderAtLow();
   }
   first = std::max(first, laser.min_order);
   last = std::min(last, laser.max_order);
