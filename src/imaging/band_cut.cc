@@ -10,13 +10,13 @@
 #include <opencv2/imgproc/detail/gcgraph.hpp>
 
 #include "imaging/seed_map.h"
+#include "imaging/sharp_step.h"
 
 namespace dorsum {
 namespace {
 
 constexpr float kUnit = 1000.0F;  // whole numbers in the graph for 1 px of outline: sums are exact
 constexpr float kCheapest = 0.002F;
-constexpr int kReach = 3;  // px before and after a step that tell the slope it sits on
 
 struct Step {
   int du, dv;
@@ -56,20 +56,9 @@ class BandGraph {
   }
 
  private:
-  float SharpStep(cv::Point p, cv::Point q) const {
-    const float step = in_.light.at<float>(q) - in_.light.at<float>(p);
-    const cv::Point way = q - p, before = p - kReach * way, after = q + kReach * way;
-    const cv::Rect image({0, 0}, in_.light.size());
-    if (!image.contains(before) || !image.contains(after)) return step;
-    const float slope =
-        (in_.light.at<float>(after) - in_.light.at<float>(before)) / static_cast<float>(2 * kReach + 1);
-    if (step * slope <= 0.0F) return step;
-    return std::max(0.0F, std::abs(step) - std::abs(slope));
-  }
-
   int Cost(cv::Point p, cv::Point q, float length) const {
     const float texture = 0.5F * (in_.texture.at<float>(p) + in_.texture.at<float>(q));
-    const float step = SharpStep(p, q) / texture;
+    const float step = SharpStep(in_.light, p, q - p) / texture;
     return static_cast<int>(kUnit * length * std::max(kCheapest, 1.0F / (1.0F + step * step)));
   }
 

@@ -15,6 +15,8 @@
 namespace dorsum {
 namespace {
 
+constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
+
 // Pixels near the outline become unknown, the rest stays as it is.
 cv::Mat OpenOutline(const cv::Mat& object, int reach_px) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
@@ -60,9 +62,9 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   coarse.light = LedRatio(background, hand, 2);
   const SeedMap map = MapSeeds(seeds, coarse.light, 2);
   coarse.known = map.known;
-  coarse.texture = cv::max(UsualTexture(coarse.light, map.known),
-                           options.contrast_share * Contrast(coarse.light, map.known));
+  coarse.texture = UsualTexture(coarse.light, map.known);
   coarse.pull = options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
+  cv::add(coarse.pull, cv::Scalar(kBridgePull), coarse.pull, map.bridge);
   cv::Mat object = CutInBand(coarse);
   DropPieces(map.votes, 1.0F, 5, options.min_area_share * static_cast<double>(object.total()), &object);
   DropPieces(map.votes, -1.0F, 5, 40, &object);

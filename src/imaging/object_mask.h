@@ -19,12 +19,9 @@ struct ObjectSeed {
 };
 
 struct ObjectMaskOptions {
-  int min_seeds = 50;          // object's seeds below which the picture under the LEDs decides alone, 1 up
-  double seed_strength = 2.0;  // length of outline that one row of a stripe is worth, rows, 0.5 to 10
-  double pull = 0.01;          // the same for one pixel's brightness, 0 to 1
-  // Difference between neighbouring pixels that makes an edge, as a share of that between object and
-  // backplane nearby, 0 to 1.
-  double contrast_share = 0.07;
+  int min_seeds = 50;             // object's seeds below which the picture under the LEDs decides alone, 1 up
+  double seed_strength = 2.0;     // length of outline that one row of a stripe is worth, rows, 0.5 to 10
+  double pull = 0.01;             // the same for one pixel's brightness, 0 to 1
   double min_area_share = 0.001;  // smallest piece of the object, as a share of the image, 0 to 1
   HandMaskOptions picture_only;   // for use without seeds
 };

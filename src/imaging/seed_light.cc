@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/seed_map.h"
+#include "imaging/sharp_step.h"
 
 namespace dorsum {
 namespace {
@@ -60,26 +61,20 @@ void Enlarge(cv::Mat* cells, cv::Size size) {
 
 cv::Mat UsualTexture(const cv::Mat& light, const cv::Mat& known) {
   constexpr double kLeast = 0.002;
-  cv::Mat du, dv, steps;
-  const cv::Matx12f across(-1.0F, 1.0F);
-  cv::filter2D(light, du, CV_32F, across, {0, 0});
-  cv::filter2D(light, dv, CV_32F, across.t(), {0, 0});
-  cv::magnitude(du, dv, steps);
-  LocalMoments near = MomentsNear(steps, Inner(known, kObjectPixel) | Inner(known, kBackplanePixel));
+  const cv::Mat inner = Inner(known, kObjectPixel) | Inner(known, kBackplanePixel);
+  cv::Mat steps = cv::Mat::zeros(light.size(), CV_32FC1);
+  for (int v = 0; v + 1 < light.rows; ++v) {
+    for (int u = 0; u + 1 < light.cols; ++u) {
+      if (inner.at<std::uint8_t>(v, u) == 0) continue;
+      steps.at<float>(v, u) = std::hypot(SharpStep(light, {u, v}, {1, 0}), SharpStep(light, {u, v}, {0, 1}));
+    }
+  }
+  LocalMoments near = MomentsNear(steps, inner);
   cv::Mat texture;
   cv::sqrt(near.square * 0.5, texture);
   texture = cv::max(texture, kLeast);
   Enlarge(&texture, light.size());
   return texture;
-}
-
-cv::Mat Contrast(const cv::Mat& light, const cv::Mat& known) {
-  const LocalMoments object = MomentsNear(light, Inner(known, kObjectPixel));
-  const LocalMoments backplane = MomentsNear(light, Inner(known, kBackplanePixel));
-  cv::Mat contrast;
-  cv::absdiff(object.mean, backplane.mean, contrast);
-  Enlarge(&contrast, light.size());
-  return contrast;
 }
 
 cv::Mat LikeObject(const cv::Mat& light, const cv::Mat& known) {

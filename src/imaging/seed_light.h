@@ -11,9 +11,6 @@ namespace dorsum {
 // How much neighbouring pixels differ where there is no outline: noise, mottle, the slope of shadows.
 cv::Mat UsualTexture(const cv::Mat& light, const cv::Mat& known);
 
-// How far the object's light and the backplane's lie apart around there.
-cv::Mat Contrast(const cv::Mat& light, const cv::Mat& known);
-
 // -1 to 1: whether the light looks more like the object's (> 0) or the backplane's around there.
 cv::Mat LikeObject(const cv::Mat& light, const cv::Mat& known);
 

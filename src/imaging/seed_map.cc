@@ -55,12 +55,24 @@ bool EvenLight(const float* ratio, int a, int b) {
   return true;
 }
 
+// Marks what lies from a to b, both on the object, and is no darker than they are. A gap that narrow would be
+// dark, or show a stripe.
+void Bridge(const float* ratio, int a, int b, std::uint8_t* bridge) {
+  const float least = 0.9F * std::min(ratio[a], ratio[b]);
+  for (int u = a + 1; u < b; ++u) {
+    if (ratio[u] < least) return;
+  }
+  std::fill(bridge + a, bridge + b, std::uint8_t{255});
+}
+
 }  // namespace
 
 SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int scale) {
   SeedMap map;
   map.votes = CountVotes(seeds, ratio.size(), scale);
   map.known = cv::Mat(ratio.size(), CV_8UC1, cv::Scalar(kUnknownPixel));
+  map.bridge = cv::Mat::zeros(ratio.size(), CV_8UC1);
+  constexpr int kRing = 30;  // px: a ring's width
   const int farthest = UsualDistance(map.votes, scale);
   for (int v = 0; v < ratio.rows; ++v) {
     const std::vector<int> columns = SeedColumns(map.votes, v);
@@ -69,8 +81,13 @@ SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int
     auto* known = map.known.ptr<std::uint8_t>(v);
     for (std::size_t i = 1; i < columns.size(); ++i) {
       const int a = columns[i - 1], b = columns[i];
-      if (b - a > farthest || (votes[a] > 0.0F) != (votes[b] > 0.0F) || !EvenLight(light, a, b)) continue;
-      std::fill(known + a, known + b, votes[a] > 0.0F ? kObjectPixel : kBackplanePixel);
+      const bool object = votes[a] > 0.0F;
+      if (object != (votes[b] > 0.0F)) continue;
+      if (b - a <= farthest && EvenLight(light, a, b)) {
+        std::fill(known + a, known + b, object ? kObjectPixel : kBackplanePixel);
+      } else if (object && b - a <= farthest + kRing / scale) {
+        Bridge(light, a, b, map.bridge.ptr<std::uint8_t>(v));
+      }
     }
     // A seed stays open when its left neighbour is of the other kind: one of the two may be wrong.
     for (std::size_t i = 1; i < columns.size(); ++i) {

@@ -13,8 +13,10 @@ namespace dorsum {
 inline constexpr std::uint8_t kBackplanePixel = 0, kObjectPixel = 1, kUnknownPixel = 2;
 
 struct SeedMap {
-  cv::Mat known;  // CV_8UC1: kBackplanePixel, kObjectPixel or kUnknownPixel
-  cv::Mat votes;  // CV_32FC1: rows of stripes on the object less those on the backplane, in each pixel
+  cv::Mat known;   // CV_8UC1: kBackplanePixel, kObjectPixel or kUnknownPixel
+  cv::Mat votes;   // CV_32FC1: rows of stripes on the object less those on the backplane, in each pixel
+  cv::Mat bridge;  // CV_8UC1, 255 where a bright ring may part the object: no darker than the object left and
+                   // right of it, and a little wider than the stripes' distance
 };
 
 // What the seeds say of the pixels of an image of `ratio`'s size, `scale` times smaller than the captured
