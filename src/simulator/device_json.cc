@@ -46,6 +46,10 @@ Json LaserToJson(const VirtualLaser& laser) {
   json["half_angle_deg"] = laser.half_angle * kDegree;
   json["power"] = laser.power;
   json["relative_power"] = laser.relative_power;
+  for (const DirtySpot& spot : laser.dirt) {
+    json["dirt"].push_back(
+        {{"beta", spot.beta}, {"half_width", spot.half_width}, {"transmission", spot.transmission}});
+  }
   json["fan_model"] = fan.form == FanForm::kConical ? "conical" : "flat";
   json["mount"]["position_error"] = Numbers(laser.position_error_mm);
   json["mount"]["rotvec_deg"] = Numbers(laser.rotation_error_rad * kDegree);
