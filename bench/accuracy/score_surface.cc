@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -27,6 +28,12 @@ cv::Mat1b Cover(const CaptureTruth& truth, const TriangleMesh& mesh,
                     static_cast<int>(std::nearbyint(p.y() * (1 << kFractionBits)))};
     }
     cv::fillConvexPoly(cover, corners.data(), 3, cv::Scalar(1), cv::LINE_8, kFractionBits);
+    // Of a triangle smaller than a pixel it draws nothing.
+    const cv::Rect box = cv::boundingRect(corners);
+    const cv::Point middle((box.x + box.width / 2) >> kFractionBits,
+                           (box.y + box.height / 2) >> kFractionBits);
+    const bool small = std::max(box.width, box.height) < (2 << kFractionBits);
+    if (small && cv::Rect({}, cover.size()).contains(middle)) cover(middle) = 1;
   }
   return cover;
 }
