@@ -39,13 +39,14 @@ class BandGraph {
     }
     graph_.create(static_cast<unsigned>(count), static_cast<unsigned>(8 * count));
     for (int i = 0; i < count; ++i) graph_.addVtx();
+    any_ = count > 0;
   }
 
   cv::Mat Cut() {
     for (int v = 0; v < node_.rows; ++v) {
       for (int u = 0; u < node_.cols; ++u) Join(u, v);
     }
-    graph_.maxFlow();
+    if (any_) graph_.maxFlow();
     cv::Mat object = in_.known == kObjectPixel;
     for (int v = 0; v < node_.rows; ++v) {
       for (int u = 0; u < node_.cols; ++u) {
@@ -86,6 +87,7 @@ class BandGraph {
   const BandCut& in_;
   cv::Mat_<int> node_;
   cv::detail::GCGraph<int> graph_;
+  bool any_ = false;  // an empty graph has no flow
 };
 
 }  // namespace

@@ -17,6 +17,17 @@ namespace {
 
 constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
 
+// Far from the object's stripes what has not changed is backplane, whether or not a stripe lies there.
+void SettleUnchanged(const cv::Mat& light, const cv::Mat& votes, cv::Mat* known) {
+  constexpr float kUnchanged = 0.05F;  // of the light's root
+  constexpr float kFar = 30.0F;        // px
+  cv::Mat distance;
+  cv::distanceTransform(votes <= 0.0, distance, cv::DIST_L2, cv::DIST_MASK_3);
+  const cv::Mat settled = (distance > kFar) & (light > 1.0F - kUnchanged) & (light < 1.0F + kUnchanged) &
+                          (*known == kUnknownPixel);
+  known->setTo(kBackplanePixel, settled);
+}
+
 // Pixels near the outline become unknown, the rest stays as it is.
 cv::Mat OpenOutline(const cv::Mat& object, int reach_px) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
@@ -60,7 +71,8 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
 
   BandCut coarse;
   coarse.light = LedRatio(background, hand, 2);
-  const SeedMap map = MapSeeds(seeds, coarse.light, 2);
+  SeedMap map = MapSeeds(seeds, coarse.light, 2);
+  SettleUnchanged(coarse.light, map.votes, &map.known);
   coarse.known = map.known;
   coarse.texture = UsualTexture(coarse.light, map.known);
   coarse.pull = options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;

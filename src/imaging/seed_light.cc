@@ -34,8 +34,9 @@ LocalMoments MomentsNear(const cv::Mat& values, const cv::Mat& mask) {
       squares.at<float>(v / kCell, u / kCell) += value[u] * value[u];
     }
   }
-  const double count = std::max(1.0, cv::sum(n)[0]);
-  const double mean = cv::sum(sum)[0] / count, square = cv::sum(squares)[0] / count;
+  const double count = cv::sum(n)[0];
+  const double mean = count > 0.0 ? cv::sum(sum)[0] / count : 1.0;
+  const double square = count > 0.0 ? cv::sum(squares)[0] / count : 1.0;
   for (cv::Mat* m : {&n, &sum, &squares}) cv::GaussianBlur(*m, *m, {}, kReach, kReach, cv::BORDER_CONSTANT);
   n += kTrust / (kCell * kCell);
   sum += mean * kTrust / (kCell * kCell);
