@@ -13,7 +13,8 @@ TEST(CandidateRegion, HoldsTheObjectAndItsMargin) {
   cv::Mat hand = Paper();
   cv::rectangle(hand, {0, 100}, {150, 180}, cv::Scalar(6, 60, 5), cv::FILLED);
   const cv::Mat region = CandidateRegion(Paper(), hand, {.margin_px = 40});
-  EXPECT_EQ(cv::countNonZero(region(cv::Rect(0, 65, 185, 150)) == 0), 0);
+  EXPECT_EQ(cv::countNonZero(region(cv::Rect(0, 65, 151, 151)) == 0), 0);
+  EXPECT_EQ(cv::countNonZero(region(cv::Rect(0, 100, 186, 81)) == 0), 0);
   EXPECT_EQ(cv::countNonZero(region.colRange(210, 400)), 0);
   EXPECT_EQ(region.size(), hand.size());
 }

@@ -52,10 +52,14 @@ void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area
       if (sign * votes.at<float>(v, u) > 0.0F) ++seeds[static_cast<std::size_t>(labels.at<int>(v, u))];
     }
   }
-  for (int i = 1; i < count; ++i) {
-    if (seeds[static_cast<std::size_t>(i)] >= min_seeds || stats.at<int>(i, cv::CC_STAT_AREA) >= min_area)
-      continue;
-    mask->setTo(sign > 0.0F ? 0 : 255, labels == i);
+  const auto dropped = [&](int label) {
+    return label > 0 && seeds[static_cast<std::size_t>(label)] < min_seeds &&
+           stats.at<int>(label, cv::CC_STAT_AREA) < min_area;
+  };
+  for (int v = 0; v < labels.rows; ++v) {
+    for (int u = 0; u < labels.cols; ++u) {
+      if (dropped(labels.at<int>(v, u))) mask->at<std::uint8_t>(v, u) = sign > 0.0F ? 0 : 255;
+    }
   }
 }
 
@@ -90,7 +94,7 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   cv::Mat texture;
   cv::resize(coarse.texture, texture, {object.cols, object.rows});
   fine.texture = texture(cv::Rect({0, 0}, hand.size())) * 0.7;
-  fine.pull = options.seed_strength * MapSeeds(seeds, fine.light, 1).votes;
+  fine.pull = options.seed_strength * CountVotes(seeds, hand.size(), 1);
 
   HandMask result;
   result.mask = CutInBand(fine);

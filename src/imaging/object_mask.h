@@ -19,7 +19,7 @@ struct ObjectSeed {
 };
 
 struct ObjectMaskOptions {
-  int min_seeds = 50;             // object's seeds below which the picture under the LEDs decides alone, 1 up
+  int min_seeds = 50;  // object's seeds below which the picture under the LEDs decides alone, 1 up
   // Length of outline that a row of a stripe is worth, px, 0.1 to 2. Below 1, so that a whole stripe that is
   // on the wrong side of an outline goes when nothing in the picture speaks for it.
   double seed_strength = 0.7;
