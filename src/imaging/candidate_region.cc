@@ -33,7 +33,7 @@ std::vector<cv::Point> ChangedPlaces(const cv::Mat& change, double least) {
 
 cv::Mat CandidateRegion(const cv::Mat& background, const cv::Mat& hand,
                         const CandidateRegionOptions& options) {
-  const cv::Mat everywhere(hand.size(), CV_8UC1, cv::Scalar(255));
+  cv::Mat everywhere(hand.size(), CV_8UC1, cv::Scalar(255));
   const cv::Mat light = LedRatio(background, hand, 2);
   cv::Mat change;
   const cv::Size small((hand.cols + kScale - 1) / kScale, (hand.rows + kScale - 1) / kScale);

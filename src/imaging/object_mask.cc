@@ -63,6 +63,18 @@ void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area
   }
 }
 
+double ContradictingShare(const std::vector<ObjectSeed>& seeds, const cv::Mat& mask) {
+  const cv::Rect image({0, 0}, mask.size());
+  int wrong = 0, all = 0;
+  for (const ObjectSeed& seed : seeds) {
+    const cv::Point place(cv::Point2f(seed.u, seed.v));
+    if (!image.contains(place)) continue;
+    ++all;
+    wrong += (mask.at<std::uint8_t>(place) != 0) != seed.object;
+  }
+  return all == 0 ? 0.0 : static_cast<double>(wrong) / all;
+}
+
 }  // namespace
 
 Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
@@ -100,7 +112,20 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   result.mask = CutInBand(fine);
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
+  result.contradicting = ContradictingShare(seeds, result.mask);
   Sink(context, "mask/mask", result.mask);
+  if (result.area_share < options.min_area_share) {
+    return BadInput(
+        "no object is seen: a few stripes seem to lie on one, but they do not make an outline with bgHand; "
+        "put "
+        "the hand down and capture again");
+  }
+  if (result.area_share > options.picture_only.max_area_share) {
+    return BadInput(
+        "the object seems to fill the picture, so its outline is not seen; look whether bgHand and the "
+        "stripes "
+        "belong to the same capture and the calibration fits the device");
+  }
   return result;
 }
 
