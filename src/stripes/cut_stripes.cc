@@ -126,6 +126,19 @@ std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const
   return cut;
 }
 
+// Fits a row again with the width held; the window never leaves [start.first, start.last].
+bool Refit(const cv::Mat& green, const ProfileStart& start, const NoiseModel& noise,
+           const ProfileFitOptions& options, StripePoint* point) {
+  const auto* row = green.ptr<std::uint8_t>(static_cast<int>(point->v));
+  const ProfileFit fit = FitProfile(row, start, noise, options);
+  if (!fit.ok) return false;
+  point->u = static_cast<float>(fit.u);
+  point->sd_px = static_cast<float>(fit.sd_u);
+  point->peak = static_cast<float>(std::min(255.0, fit.amplitude));
+  point->width = static_cast<float>(fit.width);
+  return true;
+}
+
 // Fits the intact flank of a cut row; false when the centre is not on the surface.
 bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, const NoiseModel& noise,
                const ProfileFitOptions& fit_options, const CutStripeOptions& options, StripePoint* point) {
@@ -137,16 +150,27 @@ bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double widt
   start.hold_width = true;
   start.first = side > 0 ? 0 : static_cast<int>(std::ceil(edge + options.margin_px));
   start.last = side > 0 ? static_cast<int>(std::floor(edge - options.margin_px)) : green.cols - 1;
-  const auto* row = green.ptr<std::uint8_t>(static_cast<int>(point->v));
-  const ProfileFit fit = FitProfile(row, start, noise, fit_options);
-  if (!fit.ok) return false;
-  const double inside = side > 0 ? edge - fit.u : fit.u - edge;
-  if (inside < options.min_inside_px) return false;
-  point->u = static_cast<float>(fit.u);
-  point->sd_px = static_cast<float>(fit.sd_u);
-  point->peak = static_cast<float>(std::min(255.0, fit.amplitude));
-  point->width = static_cast<float>(width);
-  return true;
+  if (!Refit(green, start, noise, fit_options, point)) return false;
+  const double inside =
+      side > 0 ? edge - static_cast<double>(point->u) : static_cast<double>(point->u) - edge;
+  return inside >= options.min_inside_px;
+}
+
+// The image's border cuts a profile too, but there the light does not end.
+bool MendAtBorder(const cv::Mat& green, double width, const NoiseModel& noise,
+                  const ProfileFitOptions& fit_options, StripePoint* point) {
+  ProfileStart start;
+  start.u = static_cast<double>(point->u);
+  start.width = width;
+  start.hold_width = true;
+  start.last = green.cols - 1;
+  return Refit(green, start, noise, fit_options, point) && point->u > -0.5F &&
+         point->u < static_cast<float>(green.cols) - 0.5F;
+}
+
+bool IsAtBorder(const StripePoint& point, double width, int cols) {
+  const auto u = static_cast<double>(point.u);
+  return std::min(u, cols - 1.0 - u) < 2.0 * width;
 }
 
 // Where a stripe leaves the surface sideways, the light that is left beyond is no stripe either: from two bad
@@ -187,8 +211,11 @@ LaserStripes MendCutStripes(const cv::Mat& green, const LaserStripes& stripes, c
     std::vector<char> good(points.size(), 1);
     std::vector<StripePoint> mended = points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (cut[i] == 0) continue;
-      good[i] = MendPoint(green, flanks[i], cut[i], width, noise, fit, options, &mended[i]) ? 1 : 0;
+      if (IsAtBorder(points[i], width, green.cols)) {
+        good[i] = MendAtBorder(green, width, noise, fit, &mended[i]) ? 1 : 0;
+      } else if (cut[i] != 0) {
+        good[i] = MendPoint(green, flanks[i], cut[i], width, noise, fit, options, &mended[i]) ? 1 : 0;
+      }
     }
     ForgetBeyond(cut, &good);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -87,12 +87,15 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
     const auto i = static_cast<std::size_t>(n);
     const StripeCurve& curve = curves[i];
     std::vector<LocalEstimate> tried;
+    const auto from = stripes.points.begin() + stripes.segments[i].first;
+    const std::vector<double> pull =
+        BrightnessPull(std::vector<StripePoint>(from, from + stripes.segments[i].count), options.pull);
     for (std::size_t k = 0; k < curve.v.size(); ++k) {
       const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], conf, &tried);
       if (choice.half_rows == 0) continue;
       StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
       p.u = static_cast<float>(choice.estimate.u);
-      p.sd_px = static_cast<float>(choice.estimate.sd);
+      p.sd_px = static_cast<float>(std::hypot(choice.estimate.sd, pull[k]));
     }
   });
   for (StripeSegment& segment : stripes.segments) {

@@ -33,8 +33,6 @@ std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vecto
     const ProfileFit fit =
         FitProfile(pixels, StartOf(row, i, survey.width_px, cols), survey.noise, options.fit);
     if (!fit.ok || fit.width > options.max_width_ratio * survey.width_px) continue;
-    // Where the image cuts the profile near its middle, width and centre cannot be told apart.
-    if (fit.u < 0.7 * fit.width || fit.u > cols - 1.0 - 0.7 * fit.width) continue;
     StripePoint p;
     p.u = static_cast<float>(fit.u);
     p.v = static_cast<float>(v);
