@@ -91,13 +91,15 @@ double MedianOf(std::vector<double> values) {
   return *middle;
 }
 
-// Width at half the peak where the segment is whole: the upper half of the rows decides, since the rest may
-// be cut.
-double WholeWidth(const std::vector<Flanks>& flanks, double otherwise) {
-  if (flanks.size() < 40) return otherwise;
+// Width at half the peak where the segment is whole: the median of its rows, since the rest may be cut. A
+// short segment may be cut throughout; there, twice the longer flank tells, or the image's usual width.
+double WholeWidth(const std::vector<Flanks>& flanks, double usual) {
+  const bool is_short = flanks.size() < 40;
   std::vector<double> widths;
-  for (const Flanks& f : flanks) widths.push_back(f.left + f.right);
-  return MedianOf(std::move(widths));
+  for (const Flanks& f : flanks)
+    widths.push_back(is_short ? 2.0 * std::max(f.left, f.right) : f.left + f.right);
+  const double width = MedianOf(std::move(widths));
+  return is_short ? std::max(width, usual) : width;
 }
 
 // -1: the left flank is cut; 1: the right; 0: none.
@@ -110,11 +112,11 @@ std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const
   };
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Flanks& f = flanks[static_cast<std::size_t>(i)];
-    if (narrow(i) > options.max_width_ratio) continue;
-    const int side = f.right < options.max_flank_ratio * f.left   ? 1
-                     : f.left < options.max_flank_ratio * f.right ? -1
-                                                                  : 0;
-    if (side == 0) continue;
+    const double ratio = std::min(f.left, f.right) / std::max(f.left, f.right);
+    const bool is_cut = ratio < options.steep_flank_ratio ||
+                        (ratio < options.max_flank_ratio && narrow(i) < options.max_width_ratio);
+    if (!is_cut) continue;
+    const int side = f.right < f.left ? 1 : -1;
     for (const std::ptrdiff_t step : {-1, 1}) {
       for (std::ptrdiff_t k = i; k >= 0 && k < n && (k == i || cut[static_cast<std::size_t>(k)] == 0);
            k += step) {
@@ -124,6 +126,19 @@ std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const
     }
   }
   return cut;
+}
+
+// Median amplitude of the nearest rows that are not cut, 0 if there are none.
+double WholeAmplitude(const std::vector<StripePoint>& points, const std::vector<int>& cut, std::size_t at) {
+  constexpr std::size_t kRows = 12;
+  std::vector<double> peaks;
+  for (std::size_t away = 1; away < points.size() && peaks.size() < kRows; ++away) {
+    if (at >= away && cut[at - away] == 0) peaks.push_back(static_cast<double>(points[at - away].peak));
+    if (at + away < points.size() && cut[at + away] == 0) {
+      peaks.push_back(static_cast<double>(points[at + away].peak));
+    }
+  }
+  return peaks.size() < kRows ? 0.0 : MedianOf(std::move(peaks));
 }
 
 // Fits a row again with the width held; the window never leaves [start.first, start.last].
@@ -140,14 +155,17 @@ bool Refit(const cv::Mat& green, const ProfileStart& start, const NoiseModel& no
 }
 
 // Fits the intact flank of a cut row; false when the centre is not on the surface.
-bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, const NoiseModel& noise,
-               const ProfileFitOptions& fit_options, const CutStripeOptions& options, StripePoint* point) {
+bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, double amplitude,
+               const NoiseModel& noise, const ProfileFitOptions& fit_options, const CutStripeOptions& options,
+               StripePoint* point) {
   const double u = static_cast<double>(point->u) + flanks.peak;
   const double edge = side > 0 ? u + flanks.right : u - flanks.left;
   ProfileStart start;
   start.u = side > 0 ? edge - 0.5 : edge + 0.5;
   start.width = width;
   start.hold_width = true;
+  start.amplitude = amplitude;
+  start.amplitude_sd = options.amplitude_share * amplitude;
   start.first = side > 0 ? 0 : static_cast<int>(std::ceil(edge + options.margin_px));
   start.last = side > 0 ? static_cast<int>(std::floor(edge - options.margin_px)) : green.cols - 1;
   if (!Refit(green, start, noise, fit_options, point)) return false;
@@ -214,7 +232,10 @@ LaserStripes MendCutStripes(const cv::Mat& green, const LaserStripes& stripes, c
       if (IsAtBorder(points[i], width, green.cols)) {
         good[i] = MendAtBorder(green, width, noise, fit, &mended[i]) ? 1 : 0;
       } else if (cut[i] != 0) {
-        good[i] = MendPoint(green, flanks[i], cut[i], width, noise, fit, options, &mended[i]) ? 1 : 0;
+        good[i] = MendPoint(green, flanks[i], cut[i], width, WholeAmplitude(points, cut, i), noise, fit,
+                            options, &mended[i])
+                      ? 1
+                      : 0;
       }
     }
     ForgetBeyond(cut, &good);

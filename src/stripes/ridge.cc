@@ -46,20 +46,34 @@ std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vecto
   return points;
 }
 
-// Rows at the beginning of `points` whose amplitude is less than a share of what follows.
+// What the row before points[at] .. points[at + rows - 1] should show if the amplitude went on as it does
+// there: the line through them, but not below half their mean.
+double ExpectedPeak(const std::vector<StripePoint>& points, std::size_t at, std::size_t rows) {
+  const auto n = static_cast<double>(rows);
+  double mean = 0.0, slope = 0.0, spread = 0.0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = static_cast<double>(i) - 0.5 * (n - 1.0);
+    const auto peak = static_cast<double>(points[at + i].peak);
+    mean += peak / n;
+    slope += t * peak;
+    spread += t * t;
+  }
+  return std::max(0.5 * mean, mean - slope / spread * 0.5 * (n + 3.0));
+}
+
+// Rows at the beginning of `points` that show less than a share of what the rows after the next one foretell:
+// the light there is blur from beyond the stripe's end.
 std::size_t WeakRows(const std::vector<StripePoint>& points, const RidgeOptions& options) {
   const auto window = static_cast<std::size_t>(options.end_rows);
-  std::vector<float> peaks;
   std::size_t weak = 0;
-  for (; weak + window / 2 < points.size(); ++weak) {
-    peaks.clear();
-    for (std::size_t i = weak + 1; i < std::min(points.size(), weak + 1 + window); ++i) {
-      peaks.push_back(points[i].peak);
-    }
-    const auto middle = peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2);
-    std::nth_element(peaks.begin(), middle, peaks.end());
-    if (static_cast<double>(points[weak].peak) >= options.end_share * static_cast<double>(*middle)) break;
-  }
+  const auto is_weak = [&](std::size_t i) {
+    const auto peak = static_cast<double>(points[i].peak);
+    if (peak < options.end_share * ExpectedPeak(points, i + 2, window)) return true;
+    double mean = 0.0;
+    for (std::size_t k = 1; k <= window; ++k) mean += static_cast<double>(points[i + k].peak);
+    return peak < options.far_end_share * mean / static_cast<double>(window);
+  };
+  while (weak + 2 + window <= points.size() && is_weak(weak)) ++weak;
   return weak;
 }
 
