@@ -102,28 +102,36 @@ double WholeWidth(const std::vector<Flanks>& flanks, double usual) {
   return is_short ? std::max(width, usual) : width;
 }
 
-// -1: the left flank is cut; 1: the right; 0: none.
+bool IsCut(const Flanks& f, double whole, const CutStripeOptions& options) {
+  const double ratio = std::min(f.left, f.right) / std::max(f.left, f.right);
+  const double width = (f.left + f.right) / whole;
+  return ratio < options.steep_flank_ratio ||
+         (ratio < options.max_flank_ratio && width < options.max_width_ratio);
+}
+
+// -1: the left flank is cut; 1: the right; 0: none. Runs of narrow rows are judged together: one cut row
+// makes the run a cut, and all its rows say on which side.
 std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const CutStripeOptions& options) {
-  const auto n = static_cast<std::ptrdiff_t>(flanks.size());
   std::vector<int> cut(flanks.size(), 0);
-  const auto narrow = [&](std::ptrdiff_t i) {
-    const Flanks& f = flanks[static_cast<std::size_t>(i)];
-    return (f.left + f.right) / whole;
+  const auto is_narrow = [&](std::size_t i) {
+    return flanks[i].left + flanks[i].right <= options.whole_width_ratio * whole ||
+           IsCut(flanks[i], whole, options);
   };
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Flanks& f = flanks[static_cast<std::size_t>(i)];
-    const double ratio = std::min(f.left, f.right) / std::max(f.left, f.right);
-    const bool is_cut = ratio < options.steep_flank_ratio ||
-                        (ratio < options.max_flank_ratio && narrow(i) < options.max_width_ratio);
-    if (!is_cut) continue;
-    const int side = f.right < f.left ? 1 : -1;
-    for (const std::ptrdiff_t step : {-1, 1}) {
-      for (std::ptrdiff_t k = i; k >= 0 && k < n && (k == i || cut[static_cast<std::size_t>(k)] == 0);
-           k += step) {
-        if (narrow(k) > options.whole_width_ratio) break;
-        cut[static_cast<std::size_t>(k)] = side;
-      }
+  for (std::size_t first = 0; first < flanks.size(); ++first) {
+    std::size_t end = first;
+    bool is_cut = false, is_slim = false;
+    double side = 0.0;
+    for (; end < flanks.size() && is_narrow(end); ++end) {
+      is_cut = is_cut || IsCut(flanks[end], whole, options);
+      is_slim = is_slim || flanks[end].left + flanks[end].right < options.slim_width_ratio * whole;
+      side += std::log(std::max(0.1, flanks[end].left) / std::max(0.1, flanks[end].right));
     }
+    const double rows = static_cast<double>(end - first);
+    is_cut = is_cut || (is_slim && std::abs(side) > -std::log(options.leaning_flank_ratio) * rows);
+    if (is_cut)
+      std::fill(cut.begin() + static_cast<std::ptrdiff_t>(first),
+                cut.begin() + static_cast<std::ptrdiff_t>(end), side > 0.0 ? 1 : -1);
+    first = std::max(first, end);
   }
   return cut;
 }

@@ -9,21 +9,10 @@
 
 #include "base/parallel.h"
 #include "stripes/ridge_survey.h"
+#include "stripes/row_noise.h"
 
 namespace dorsum {
 namespace {
-
-ProfileStart StartOf(const std::vector<RidgeCandidate>& row, std::size_t i, double width, int cols) {
-  ProfileStart start;
-  start.u = static_cast<double>(row[i].u);
-  start.width = width;
-  start.last = cols - 1;
-  if (i > 0) start.first = static_cast<int>(std::ceil(0.5 * static_cast<double>(row[i - 1].u + row[i].u)));
-  if (i + 1 < row.size()) {
-    start.last = static_cast<int>(std::floor(0.5 * static_cast<double>(row[i].u + row[i + 1].u)));
-  }
-  return start;
-}
 
 std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vector<RidgeCandidate>& row, int v,
                                     int cols, const RidgeSurvey& survey, const RidgeOptions& options) {
@@ -31,7 +20,7 @@ std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vecto
   points.reserve(row.size());
   for (std::size_t i = 0; i < row.size(); ++i) {
     const ProfileFit fit =
-        FitProfile(pixels, StartOf(row, i, survey.width_px, cols), survey.noise, options.fit);
+        FitProfile(pixels, StartBetween(row, i, survey.width_px, cols), survey.noise, options.fit);
     if (!fit.ok || fit.width > options.max_width_ratio * survey.width_px) continue;
     StripePoint p;
     p.u = static_cast<float>(fit.u);
@@ -99,6 +88,20 @@ LaserStripes TrimEnds(const LaserStripes& stripes, const NoiseModel& noise, cons
   return AssembleStripes(kept, stripes.laser);
 }
 
+// Speckle and compression make neighbouring pixels err alike, so a fit's formal deviation is too small; the
+// scatter along the stripe tells by how much.
+LaserStripes ScaleDeviations(LaserStripes stripes) {
+  std::vector<StripeCurve> curves = CurvesOf(stripes);
+  const RowNoise noise = MeasureRowNoise({}, &curves);
+  for (std::size_t i = 0; i < stripes.segments.size(); ++i) {
+    const StripeSegment& s = stripes.segments[i];
+    for (std::int32_t k = s.first; k < s.first + s.count; ++k) {
+      stripes.points[static_cast<std::size_t>(k)].sd_px *= static_cast<float>(noise.per_curve[i]);
+    }
+  }
+  return stripes;
+}
+
 }  // namespace
 
 LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeOptions& options,
@@ -117,13 +120,10 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
     rows[i] = MeasureRow(green.ptr<std::uint8_t>(static_cast<int>(row)), candidates[i], static_cast<int>(row),
                          green.cols, survey, options);
   });
-  if (getenv("DBG"))
-    fprintf(stderr, "width %.2f noise %.2f %.3f %.4f\n", survey.width_px, survey.noise.constant,
-            survey.noise.linear, survey.noise.quadratic);
   const LaserStripes linked = LinkSegments(rows, laser, options.linking);
   const LaserStripes mended =
       MendCutStripes(green, linked, survey.noise, survey.width_px, options.fit, options.cut, context);
-  return TrimEnds(mended, survey.noise, options);
+  return ScaleDeviations(TrimEnds(mended, survey.noise, options));
 }
 
 }  // namespace dorsum
