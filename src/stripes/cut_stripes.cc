@@ -91,62 +91,112 @@ double MedianOf(std::vector<double> values) {
   return *middle;
 }
 
-// Width at half the peak where the segment is whole: the upper half of the rows decides, since the rest may
-// be cut.
-double WholeWidth(const std::vector<Flanks>& flanks, double otherwise) {
-  if (flanks.size() < 40) return otherwise;
+// Width at half the peak where the segment is whole: the median of its rows, since the rest may be cut. A
+// short segment may be cut throughout; there, twice the longer flank tells, or the image's usual width.
+double WholeWidth(const std::vector<Flanks>& flanks, double usual) {
+  const bool is_short = flanks.size() < 40;
   std::vector<double> widths;
-  for (const Flanks& f : flanks) widths.push_back(f.left + f.right);
-  return MedianOf(std::move(widths));
+  for (const Flanks& f : flanks)
+    widths.push_back(is_short ? 2.0 * std::max(f.left, f.right) : f.left + f.right);
+  const double width = MedianOf(std::move(widths));
+  return is_short ? std::max(width, usual) : width;
 }
 
-// -1: the left flank is cut; 1: the right; 0: none.
+bool IsCut(const Flanks& f, double whole, const CutStripeOptions& options) {
+  const double ratio = std::min(f.left, f.right) / std::max(f.left, f.right);
+  const double width = (f.left + f.right) / whole;
+  return ratio < options.steep_flank_ratio ||
+         (ratio < options.max_flank_ratio && width < options.max_width_ratio);
+}
+
+// -1: the left flank is cut; 1: the right; 0: none. Runs of narrow rows are judged together: one cut row
+// makes the run a cut, and all its rows say on which side.
 std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const CutStripeOptions& options) {
-  const auto n = static_cast<std::ptrdiff_t>(flanks.size());
   std::vector<int> cut(flanks.size(), 0);
-  const auto narrow = [&](std::ptrdiff_t i) {
-    const Flanks& f = flanks[static_cast<std::size_t>(i)];
-    return (f.left + f.right) / whole;
+  const auto is_narrow = [&](std::size_t i) {
+    return flanks[i].left + flanks[i].right <= options.whole_width_ratio * whole ||
+           IsCut(flanks[i], whole, options);
   };
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Flanks& f = flanks[static_cast<std::size_t>(i)];
-    if (narrow(i) > options.max_width_ratio) continue;
-    const int side = f.right < options.max_flank_ratio * f.left   ? 1
-                     : f.left < options.max_flank_ratio * f.right ? -1
-                                                                  : 0;
-    if (side == 0) continue;
-    for (const std::ptrdiff_t step : {-1, 1}) {
-      for (std::ptrdiff_t k = i; k >= 0 && k < n && (k == i || cut[static_cast<std::size_t>(k)] == 0);
-           k += step) {
-        if (narrow(k) > options.whole_width_ratio) break;
-        cut[static_cast<std::size_t>(k)] = side;
-      }
+  for (std::size_t first = 0; first < flanks.size(); ++first) {
+    std::size_t end = first;
+    bool is_cut = false, is_slim = false;
+    double side = 0.0;
+    for (; end < flanks.size() && is_narrow(end); ++end) {
+      is_cut = is_cut || IsCut(flanks[end], whole, options);
+      is_slim = is_slim || flanks[end].left + flanks[end].right < options.slim_width_ratio * whole;
+      side += std::log(std::max(0.1, flanks[end].left) / std::max(0.1, flanks[end].right));
     }
+    const double rows = static_cast<double>(end - first);
+    is_cut = is_cut || (is_slim && std::abs(side) > -std::log(options.leaning_flank_ratio) * rows);
+    if (is_cut)
+      std::fill(cut.begin() + static_cast<std::ptrdiff_t>(first),
+                cut.begin() + static_cast<std::ptrdiff_t>(end), side > 0.0 ? 1 : -1);
+    first = std::max(first, end);
   }
   return cut;
 }
 
+// Median amplitude of the nearest rows that are not cut, 0 if there are none.
+double WholeAmplitude(const std::vector<StripePoint>& points, const std::vector<int>& cut, std::size_t at) {
+  constexpr std::size_t kRows = 12;
+  std::vector<double> peaks;
+  for (std::size_t away = 1; away < points.size() && peaks.size() < kRows; ++away) {
+    if (at >= away && cut[at - away] == 0) peaks.push_back(static_cast<double>(points[at - away].peak));
+    if (at + away < points.size() && cut[at + away] == 0) {
+      peaks.push_back(static_cast<double>(points[at + away].peak));
+    }
+  }
+  return peaks.size() < kRows ? 0.0 : MedianOf(std::move(peaks));
+}
+
+// Fits a row again with the width held; the window never leaves [start.first, start.last].
+bool Refit(const cv::Mat& green, const ProfileStart& start, const NoiseModel& noise,
+           const ProfileFitOptions& options, StripePoint* point) {
+  const auto* row = green.ptr<std::uint8_t>(static_cast<int>(point->v));
+  const ProfileFit fit = FitProfile(row, start, noise, options);
+  if (!fit.ok) return false;
+  point->u = static_cast<float>(fit.u);
+  point->sd_px = static_cast<float>(fit.sd_u);
+  point->peak = static_cast<float>(std::min(255.0, fit.amplitude));
+  point->width = static_cast<float>(fit.width);
+  return true;
+}
+
 // Fits the intact flank of a cut row; false when the centre is not on the surface.
-bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, const NoiseModel& noise,
-               const ProfileFitOptions& fit_options, const CutStripeOptions& options, StripePoint* point) {
+bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, double amplitude,
+               const NoiseModel& noise, const ProfileFitOptions& fit_options, const CutStripeOptions& options,
+               StripePoint* point) {
   const double u = static_cast<double>(point->u) + flanks.peak;
   const double edge = side > 0 ? u + flanks.right : u - flanks.left;
   ProfileStart start;
   start.u = side > 0 ? edge - 0.5 : edge + 0.5;
   start.width = width;
   start.hold_width = true;
+  start.amplitude = amplitude;
+  start.amplitude_sd = options.amplitude_share * amplitude;
   start.first = side > 0 ? 0 : static_cast<int>(std::ceil(edge + options.margin_px));
   start.last = side > 0 ? static_cast<int>(std::floor(edge - options.margin_px)) : green.cols - 1;
-  const auto* row = green.ptr<std::uint8_t>(static_cast<int>(point->v));
-  const ProfileFit fit = FitProfile(row, start, noise, fit_options);
-  if (!fit.ok) return false;
-  const double inside = side > 0 ? edge - fit.u : fit.u - edge;
-  if (inside < options.min_inside_px) return false;
-  point->u = static_cast<float>(fit.u);
-  point->sd_px = static_cast<float>(fit.sd_u);
-  point->peak = static_cast<float>(std::min(255.0, fit.amplitude));
-  point->width = static_cast<float>(width);
-  return true;
+  if (!Refit(green, start, noise, fit_options, point)) return false;
+  const double inside =
+      side > 0 ? edge - static_cast<double>(point->u) : static_cast<double>(point->u) - edge;
+  return inside >= options.min_inside_px;
+}
+
+// The image's border cuts a profile too, but there the light does not end.
+bool MendAtBorder(const cv::Mat& green, double width, const NoiseModel& noise,
+                  const ProfileFitOptions& fit_options, StripePoint* point) {
+  ProfileStart start;
+  start.u = static_cast<double>(point->u);
+  start.width = width;
+  start.hold_width = true;
+  start.last = green.cols - 1;
+  return Refit(green, start, noise, fit_options, point) && point->u > -0.5F &&
+         point->u < static_cast<float>(green.cols) - 0.5F;
+}
+
+bool IsAtBorder(const StripePoint& point, double width, int cols) {
+  const auto u = static_cast<double>(point.u);
+  return std::min(u, cols - 1.0 - u) < 2.0 * width;
 }
 
 // Where a stripe leaves the surface sideways, the light that is left beyond is no stripe either: from two bad
@@ -187,8 +237,14 @@ LaserStripes MendCutStripes(const cv::Mat& green, const LaserStripes& stripes, c
     std::vector<char> good(points.size(), 1);
     std::vector<StripePoint> mended = points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (cut[i] == 0) continue;
-      good[i] = MendPoint(green, flanks[i], cut[i], width, noise, fit, options, &mended[i]) ? 1 : 0;
+      if (IsAtBorder(points[i], width, green.cols)) {
+        good[i] = MendAtBorder(green, width, noise, fit, &mended[i]) ? 1 : 0;
+      } else if (cut[i] != 0) {
+        good[i] = MendPoint(green, flanks[i], cut[i], width, WholeAmplitude(points, cut, i), noise, fit,
+                            options, &mended[i])
+                      ? 1
+                      : 0;
+      }
     }
     ForgetBeyond(cut, &good);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace dorsum {
 namespace {
@@ -23,6 +25,24 @@ bool InvertMoments(const std::array<double, 5>& s, std::array<Vector3, 3>* inver
 }
 
 }  // namespace
+
+std::vector<StripeCurve> CurvesOf(const LaserStripes& stripes) {
+  std::vector<StripeCurve> curves;
+  for (const StripeSegment& segment : stripes.segments) {
+    StripeCurve curve;
+    for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+      const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
+      curve.v.push_back(static_cast<double>(p.v));
+      curve.u.push_back(static_cast<double>(p.u));
+      curve.sd.push_back(std::max(1e-3, static_cast<double>(p.sd_px)));
+      curve.use.push_back(1);
+    }
+    const double from = curve.v.front() - 0.5, length = curve.v.back() + 0.5 - from;
+    for (const double v : curve.v) curve.angle.push_back(std::acos(1.0 - 2.0 * (v - from) / length));
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
 
 LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_t last, std::size_t k,
                          const RowCorrelation& correlation) {

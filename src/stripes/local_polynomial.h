@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "stripes/stripes.h"
+
 namespace dorsum {
 
 // A stripe as a function of the row, prepared for local regression.
@@ -17,6 +19,9 @@ struct StripeCurve {
   std::vector<double> sd;  // px, of the single row
   std::vector<char> use;   // 0: left out of every pool
 };
+
+// One curve per segment.
+std::vector<StripeCurve> CurvesOf(const LaserStripes& stripes);
 
 // Correlation of the errors of two rows k > 0 apart: share * decay^k. A share below 1 leaves some noise to
 // each row alone; above 1, neighbours are more alike than an exponential has it, as speckle's are.

@@ -13,20 +13,6 @@
 namespace dorsum {
 namespace {
 
-StripeCurve CurveOf(const LaserStripes& stripes, const StripeSegment& segment) {
-  StripeCurve curve;
-  for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
-    const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
-    curve.v.push_back(static_cast<double>(p.v));
-    curve.u.push_back(static_cast<double>(p.u));
-    curve.sd.push_back(std::max(1e-3, static_cast<double>(p.sd_px)));
-    curve.use.push_back(1);
-  }
-  const double from = curve.v.front() - 0.5, length = curve.v.back() + 0.5 - from;
-  for (const double v : curve.v) curve.angle.push_back(std::acos(1.0 - 2.0 * (v - from) / length));
-  return curve;
-}
-
 std::vector<int> WindowSizes(const PoolingOptions& options) {
   std::vector<int> sizes;
   for (double half = options.min_half_rows; half <= options.max_half_rows; half *= 1.4) {
@@ -44,9 +30,8 @@ struct Choice {
 // A wider window holds the narrower one's rows, so the difference of their estimates has about the difference
 // of their variances (Hausman 1978), far less than either where they share most of the noise.
 bool Agree(const LocalEstimate& wide, const LocalEstimate& narrow, double confidence) {
-  static const double fl = getenv("FL") ? atof(getenv("FL")) : 0.1;
   const double narrow_variance = narrow.sd * narrow.sd;
-  const double variance = std::max(narrow_variance - wide.sd * wide.sd, fl * narrow_variance);
+  const double variance = std::max(narrow_variance - wide.sd * wide.sd, 0.1 * narrow_variance);
   const double apart = wide.u - narrow.u;
   return apart * apart <= confidence * confidence * variance;
 }
@@ -75,24 +60,23 @@ Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<i
 }  // namespace
 
 LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& options, const Context& context) {
-  std::vector<StripeCurve> curves;
-  for (const StripeSegment& segment : stripes.segments) curves.push_back(CurveOf(stripes, segment));
-  double conf = getenv("CONF") ? atof(getenv("CONF")) : options.confidence;
+  std::vector<StripeCurve> curves = CurvesOf(stripes);
   const std::vector<int> sizes = WindowSizes(options);
   const RowNoise noise = MeasureRowNoise(options.noise, &curves);
-  if (getenv("DBG"))
-    fprintf(stderr, "scale %.2f share %.2f decay %.2f\n", noise.scale, noise.correlation.share,
-            noise.correlation.decay);
   ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
     const auto i = static_cast<std::size_t>(n);
     const StripeCurve& curve = curves[i];
     std::vector<LocalEstimate> tried;
+    const auto from = stripes.points.begin() + stripes.segments[i].first;
+    const std::vector<double> pull =
+        BrightnessPull(std::vector<StripePoint>(from, from + stripes.segments[i].count), options.pull);
     for (std::size_t k = 0; k < curve.v.size(); ++k) {
-      const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], conf, &tried);
+      const Choice choice =
+          ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence, &tried);
       if (choice.half_rows == 0) continue;
       StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
       p.u = static_cast<float>(choice.estimate.u);
-      p.sd_px = static_cast<float>(choice.estimate.sd);
+      p.sd_px = static_cast<float>(std::hypot(choice.estimate.sd, pull[k]));
     }
   });
   for (StripeSegment& segment : stripes.segments) {

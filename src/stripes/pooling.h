@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/context.h"
+#include "stripes/brightness_pull.h"
 #include "stripes/row_noise.h"
 #include "stripes/stripes.h"
 
@@ -12,6 +13,7 @@ struct PoolingOptions {
   int max_half_rows = 48;   // largest, rows
   double confidence = 2.0;  // windows grow while their estimates agree within this many standard deviations
   RowNoiseOptions noise;
+  BrightnessPullOptions pull;
 };
 
 // Local quadratic regression of u over the rows of each segment, with the largest window that the noise does

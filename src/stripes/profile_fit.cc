@@ -44,7 +44,8 @@ struct Equations {
   double cost = 0.0;
 };
 
-Equations Linearise(const std::uint8_t* row, const ProfileFit& fit, const NoiseModel& noise, int saturated) {
+Equations Linearise(const std::uint8_t* row, const ProfileStart& start, const ProfileFit& fit,
+                    const NoiseModel& noise, int saturated) {
   Equations e;
   const double inverse = 1.0 / fit.width;
   for (int x = fit.first; x <= fit.last; ++x) {
@@ -67,6 +68,13 @@ Equations Linearise(const std::uint8_t* row, const ProfileFit& fit, const NoiseM
     }
     // The weights move with the model, so the cost holds their logarithm too: the likelihood.
     e.cost += weight * residual * residual - std::log(weight);
+  }
+  if (start.amplitude_sd > 0.0) {
+    const double weight = 1.0 / (start.amplitude_sd * start.amplitude_sd);
+    const double residual = start.amplitude - fit.amplitude;
+    e.matrix[2][2] += weight;
+    e.right[2] += weight * residual;
+    e.cost += weight * residual * residual;
   }
   return e;
 }
@@ -114,7 +122,7 @@ bool IsSane(const ProfileFit& fit, const ProfileStart& start, const ProfileFitOp
 bool Iterate(const std::uint8_t* row, const ProfileStart& start, const NoiseModel& noise,
              const ProfileFitOptions& options, ProfileFit* fit, Equations* at) {
   double damping = 1e-3;
-  *at = Linearise(row, *fit, noise, options.saturated_grey);
+  *at = Linearise(row, start, *fit, noise, options.saturated_grey);
   for (int i = 0; i < options.max_iterations; ++i) {
     Equations damped = *at;
     if (fit->width_held) HoldWidth(&damped);
@@ -132,7 +140,7 @@ bool Iterate(const std::uint8_t* row, const ProfileStart& start, const NoiseMode
       if (damping > 1e6) return false;
       continue;
     }
-    const Equations there = Linearise(row, next, noise, options.saturated_grey);
+    const Equations there = Linearise(row, start, next, noise, options.saturated_grey);
     if (there.cost > at->cost + 1e-9) {
       damping = damping * 10.0;
       if (damping > 1e6) return true;

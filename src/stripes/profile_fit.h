@@ -19,6 +19,8 @@ struct ProfileStart {
   double u = 0.0, width = 2.0;  // px
   int first = 0, last = 0;      // columns
   bool hold_width = false;      // the centre may then lie a width outside [first, last]
+  // What the amplitude is expected to be, and its standard deviation, grey values; 0: nothing is known.
+  double amplitude = 0.0, amplitude_sd = 0.0;
 };
 
 // A Gaussian on an even background, in one row of an image.

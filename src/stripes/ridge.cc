@@ -9,21 +9,10 @@
 
 #include "base/parallel.h"
 #include "stripes/ridge_survey.h"
+#include "stripes/row_noise.h"
 
 namespace dorsum {
 namespace {
-
-ProfileStart StartOf(const std::vector<RidgeCandidate>& row, std::size_t i, double width, int cols) {
-  ProfileStart start;
-  start.u = static_cast<double>(row[i].u);
-  start.width = width;
-  start.last = cols - 1;
-  if (i > 0) start.first = static_cast<int>(std::ceil(0.5 * static_cast<double>(row[i - 1].u + row[i].u)));
-  if (i + 1 < row.size()) {
-    start.last = static_cast<int>(std::floor(0.5 * static_cast<double>(row[i].u + row[i + 1].u)));
-  }
-  return start;
-}
 
 std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vector<RidgeCandidate>& row, int v,
                                     int cols, const RidgeSurvey& survey, const RidgeOptions& options) {
@@ -31,10 +20,8 @@ std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vecto
   points.reserve(row.size());
   for (std::size_t i = 0; i < row.size(); ++i) {
     const ProfileFit fit =
-        FitProfile(pixels, StartOf(row, i, survey.width_px, cols), survey.noise, options.fit);
+        FitProfile(pixels, StartBetween(row, i, survey.width_px, cols), survey.noise, options.fit);
     if (!fit.ok || fit.width > options.max_width_ratio * survey.width_px) continue;
-    // Where the image cuts the profile near its middle, width and centre cannot be told apart.
-    if (fit.u < 0.7 * fit.width || fit.u > cols - 1.0 - 0.7 * fit.width) continue;
     StripePoint p;
     p.u = static_cast<float>(fit.u);
     p.v = static_cast<float>(v);
@@ -48,20 +35,34 @@ std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vecto
   return points;
 }
 
-// Rows at the beginning of `points` whose amplitude is less than a share of what follows.
+// What the row before points[at] .. points[at + rows - 1] should show if the amplitude went on as it does
+// there: the line through them, but not below half their mean.
+double ExpectedPeak(const std::vector<StripePoint>& points, std::size_t at, std::size_t rows) {
+  const auto n = static_cast<double>(rows);
+  double mean = 0.0, slope = 0.0, spread = 0.0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = static_cast<double>(i) - 0.5 * (n - 1.0);
+    const auto peak = static_cast<double>(points[at + i].peak);
+    mean += peak / n;
+    slope += t * peak;
+    spread += t * t;
+  }
+  return std::max(0.5 * mean, mean - slope / spread * 0.5 * (n + 3.0));
+}
+
+// Rows at the beginning of `points` that show less than a share of what the rows after the next one foretell:
+// the light there is blur from beyond the stripe's end.
 std::size_t WeakRows(const std::vector<StripePoint>& points, const RidgeOptions& options) {
   const auto window = static_cast<std::size_t>(options.end_rows);
-  std::vector<float> peaks;
   std::size_t weak = 0;
-  for (; weak + window / 2 < points.size(); ++weak) {
-    peaks.clear();
-    for (std::size_t i = weak + 1; i < std::min(points.size(), weak + 1 + window); ++i) {
-      peaks.push_back(points[i].peak);
-    }
-    const auto middle = peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2);
-    std::nth_element(peaks.begin(), middle, peaks.end());
-    if (static_cast<double>(points[weak].peak) >= options.end_share * static_cast<double>(*middle)) break;
-  }
+  const auto is_weak = [&](std::size_t i) {
+    const auto peak = static_cast<double>(points[i].peak);
+    if (peak < options.end_share * ExpectedPeak(points, i + 2, window)) return true;
+    double mean = 0.0;
+    for (std::size_t k = 1; k <= window; ++k) mean += static_cast<double>(points[i + k].peak);
+    return peak < options.far_end_share * mean / static_cast<double>(window);
+  };
+  while (weak + 2 + window <= points.size() && is_weak(weak)) ++weak;
   return weak;
 }
 
@@ -87,6 +88,20 @@ LaserStripes TrimEnds(const LaserStripes& stripes, const NoiseModel& noise, cons
   return AssembleStripes(kept, stripes.laser);
 }
 
+// Speckle and compression make neighbouring pixels err alike, so a fit's formal deviation is too small; the
+// scatter along the stripe tells by how much.
+LaserStripes ScaleDeviations(LaserStripes stripes) {
+  std::vector<StripeCurve> curves = CurvesOf(stripes);
+  const RowNoise noise = MeasureRowNoise({}, &curves);
+  for (std::size_t i = 0; i < stripes.segments.size(); ++i) {
+    const StripeSegment& s = stripes.segments[i];
+    for (std::int32_t k = s.first; k < s.first + s.count; ++k) {
+      stripes.points[static_cast<std::size_t>(k)].sd_px *= static_cast<float>(noise.per_curve[i]);
+    }
+  }
+  return stripes;
+}
+
 }  // namespace
 
 LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeOptions& options,
@@ -105,13 +120,10 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
     rows[i] = MeasureRow(green.ptr<std::uint8_t>(static_cast<int>(row)), candidates[i], static_cast<int>(row),
                          green.cols, survey, options);
   });
-  if (getenv("DBG"))
-    fprintf(stderr, "width %.2f noise %.2f %.3f %.4f\n", survey.width_px, survey.noise.constant,
-            survey.noise.linear, survey.noise.quadratic);
   const LaserStripes linked = LinkSegments(rows, laser, options.linking);
   const LaserStripes mended =
       MendCutStripes(green, linked, survey.noise, survey.width_px, options.fit, options.cut, context);
-  return TrimEnds(mended, survey.noise, options);
+  return ScaleDeviations(TrimEnds(mended, survey.noise, options));
 }
 
 }  // namespace dorsum

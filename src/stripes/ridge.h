@@ -20,10 +20,11 @@ struct RidgeOptions {
   CutStripeOptions cut;
   double max_width_ratio = 4.0;  // a profile this much wider than the image's usual one is no stripe
   // A segment ends where its amplitude has fallen below this share of what the rows before had, 0 to 1.
-  double end_share = 0.5;
+  double end_share = 0.6;
+  double far_end_share = 0.45;  // the same against their plain mean
   // Least sum of a segment's amplitudes over its rows, in standard deviations of a dark pixel.
   double min_evidence = 100.0;
-  int end_rows = 8;  // rows before the end that give the usual amplitude
+  int end_rows = 6;  // rows before the end that give the usual amplitude
 };
 
 // Every stripe in every image row, from the image alone: the stripes' usual width and the noise against the

@@ -53,23 +53,11 @@ struct RowFindings {
   std::vector<NoiseSample> samples;
 };
 
-ProfileStart StartOf(const std::vector<RidgeCandidate>& row, std::size_t i, double width, int cols) {
-  ProfileStart start;
-  start.u = static_cast<double>(row[i].u);
-  start.width = width;
-  start.last = cols - 1;
-  if (i > 0) start.first = static_cast<int>(std::ceil(0.5 * static_cast<double>(row[i - 1].u + row[i].u)));
-  if (i + 1 < row.size()) {
-    start.last = static_cast<int>(std::floor(0.5 * static_cast<double>(row[i].u + row[i + 1].u)));
-  }
-  return start;
-}
-
 RowFindings SurveyRow(const std::uint8_t* pixels, const std::vector<RidgeCandidate>& row, double width,
                       int cols, const NoiseModel& noise, const ProfileFitOptions& options) {
   RowFindings out;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    const ProfileFit fit = FitProfile(pixels, StartOf(row, i, width, cols), noise, options);
+    const ProfileFit fit = FitProfile(pixels, StartBetween(row, i, width, cols), noise, options);
     if (!fit.ok || fit.width_held) continue;
     out.widths.push_back(static_cast<float>(fit.width));
     const int n = fit.last - fit.first + 1 - fit.clipped;
@@ -91,6 +79,18 @@ float Median(std::vector<float>* values) {
 }
 
 }  // namespace
+
+ProfileStart StartBetween(const std::vector<RidgeCandidate>& row, std::size_t i, double width, int cols) {
+  ProfileStart start;
+  start.u = static_cast<double>(row[i].u);
+  start.width = width;
+  start.last = cols - 1;
+  if (i > 0) start.first = static_cast<int>(std::ceil(0.5 * static_cast<double>(row[i - 1].u + row[i].u)));
+  if (i + 1 < row.size()) {
+    start.last = static_cast<int>(std::floor(0.5 * static_cast<double>(row[i].u + row[i + 1].u)));
+  }
+  return start;
+}
 
 RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double width_px,
                          const RidgeDetectionOptions& detection, const ProfileFitOptions& fit,

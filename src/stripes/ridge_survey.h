@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 #include "base/context.h"
@@ -14,6 +17,9 @@ struct RidgeSurvey {
   NoiseModel noise;
   double width_px = 0.0;  // usual standard deviation of the profiles, px; 0: there are no stripes
 };
+
+// Where the fit of the i-th candidate of a row begins: its window ends halfway to its neighbours.
+ProfileStart StartBetween(const std::vector<RidgeCandidate>& row, std::size_t i, double width_px, int cols);
 
 // Finds stripes in every eighth row with a filter of a guessed width, fits their profiles, and takes the
 // median width and the variance of the residuals against the grey value. With `width_px` above 0, the width
