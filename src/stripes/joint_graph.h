@@ -19,8 +19,8 @@ struct JointGraphOptions {
          scale_slope = 0.4;  // height difference that is nothing special: scale + slope * distance
   double volume_cost = 4.0;  // of one observation outside the working volume
   double volume_tolerance_mm = 0.7;
-  double backplane_start = 3.0;         // for being on the backplane at all
-  double backplane_bonus = 3.0;         // and for each observation there
+  double backplane_start = 8.0;         // for being on the backplane at all
+  double backplane_bonus = 6.0;         // and for each observation there
   double backplane_tolerance_mm = 0.4;  // within which height 0 is met; at twice that nothing is left of it
   double crossing_cost = 15.0;  // of two stripes of one laser side by side whose orders do not grow with u
   // Rows over which that may happen, since rows are not quite the planes of camera and light, and over which
