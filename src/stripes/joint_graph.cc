@@ -56,7 +56,9 @@ class Builder {
   }
 
   // `left` and `right`, of one laser, share a row: the order of `left` is the lower one.
-  void Order(int left, int right) { rules_[EdgeOf(left, right)].grows += left < right ? 1 : -1; }
+  void Order(int left, int right, int rows) {
+    rules_[EdgeOf(left, right)].grows += left < right ? rows : -rows;
+  }
 
   void Continue(int above, int below, double cost) { rules_[EdgeOf(above, below)].change_cost = cost; }
 
@@ -70,13 +72,15 @@ class Builder {
         edge.observations = options_.most_observations;
       }
       const JointPiece &p = pieces_[U(edge.first)], &q = pieces_[U(edge.second)];
+      const double crossing =
+          std::clamp((std::abs(rule.grows) - options_.crossing_free_rows) / options_.crossing_rows, 0.0, 1.0);
       std::size_t k = 0;
       for (int a = 0; a < p.candidates; ++a) {
         for (int b = 0; b < q.candidates; ++b, ++k) {
           const int grows = q.Order(b) - p.Order(a);
           double cost = grows != 0 ? rule.change_cost : 0.0;
           if (rule.grows != 0 && rule.grows * grows <= 0) {
-            cost += options_.crossing_cost * std::min(1.0, std::abs(rule.grows) / 3.0);
+            cost += options_.crossing_cost * crossing;
           }
           edge.orders[k] = static_cast<float>(cost);
         }
@@ -114,8 +118,8 @@ class Builder {
 };
 
 // Stripes side by side in one row.
-void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, double observations,
-                      const JointGraphOptions& options, Builder* builder) {
+void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, int sample_rows,
+                      double observations, const JointGraphOptions& options, Builder* builder) {
   for (const auto& [v, row] : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const JointPiece& p = pieces[static_cast<std::size_t>(row[i].piece)];
@@ -127,7 +131,8 @@ void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, d
         const double distance = (row[j].u - row[i].u) / p.px_per_mm;
         if (p.laser == q.laser && !met_own) {
           met_own = true;
-          if (distance < 6.0 * options.max_distance_mm) builder->Order(row[i].piece, row[j].piece);
+          if (distance < 6.0 * options.max_distance_mm)
+            builder->Order(row[i].piece, row[j].piece, sample_rows);
         }
         if (distance <= options.max_distance_mm && j <= i + static_cast<unsigned>(options.neighbours)) {
           builder->Compare(row[i], row[j], distance, observations);
@@ -187,12 +192,14 @@ std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, doub
       const double z = s.z[k];
       const double excess = std::isnan(z) ? 10.0 : std::max(low - z, z - high) - options.volume_tolerance_mm;
       outside += std::clamp(excess, 0.0, 1.0);
-      if (std::abs(z) < options.backplane_tolerance_mm) on_backplane += 1.0;
+      if (!std::isnan(z))
+        on_backplane += std::clamp(2.0 - std::abs(z) / options.backplane_tolerance_mm, 0.0, 1.0);
     }
     const double n = static_cast<double>(p.samples.size());
     double c = options.volume_cost * observations * outside / n;
     // A piece that lies on the backplane does so all along.
-    c -= options.backplane_bonus * observations * std::max(0.0, on_backplane / n - 0.7) / 0.3;
+    c -= (options.backplane_start + options.backplane_bonus * observations) *
+         std::max(0.0, 2.0 * on_backplane / n - 1.0);
     cost.push_back(static_cast<float>(c));
   }
   return cost;
@@ -200,17 +207,10 @@ std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, doub
 
 }  // namespace
 
-JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, double min_height_mm, double max_height_mm,
-                           const JointGraphOptions& options) {
+JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_rows, double min_height_mm,
+                           double max_height_mm, const JointGraphOptions& options) {
   JointGraph graph;
-  double rows_per_sample = 3.0;
-  for (const JointPiece& p : pieces) {
-    if (p.samples.size() > 1) {
-      rows_per_sample = std::max(1.0, static_cast<double>(p.samples[1].v - p.samples[0].v));
-      break;
-    }
-  }
-  const double each = rows_per_sample / options.independent_rows;
+  const double each = sample_rows / options.independent_rows;
   for (const JointPiece& p : pieces) {
     const double n = std::min(options.most_observations, each * static_cast<double>(p.samples.size()));
     graph.observations.push_back(n);
@@ -218,7 +218,7 @@ JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, double min_hei
   }
   const Rows rows = SortIntoRows(pieces);
   Builder builder(pieces, options);
-  CompareAlongRows(pieces, rows, each, options, &builder);
+  CompareAlongRows(pieces, rows, sample_rows, each, options, &builder);
   CompareAlongColumns(pieces, rows, each, options, &builder);
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (pieces[i].laser != pieces[i - 1].laser || pieces[i].segment != pieces[i - 1].segment) continue;

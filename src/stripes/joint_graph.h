@@ -19,11 +19,15 @@ struct JointGraphOptions {
          scale_slope = 0.4;  // height difference that is nothing special: scale + slope * distance
   double volume_cost = 4.0;  // of one observation outside the working volume
   double volume_tolerance_mm = 0.7;
-  double backplane_bonus = 3.0;         // for one observation on the backplane
-  double backplane_tolerance_mm = 0.4;  // within which height 0 is met
+  double backplane_start = 8.0;         // for being on the backplane at all
+  double backplane_bonus = 6.0;         // and for each observation there
+  double backplane_tolerance_mm = 0.4;  // within which height 0 is met; at twice that nothing is left of it
   double crossing_cost = 15.0;  // of two stripes of one laser side by side whose orders do not grow with u
-  double cut_cost = 8.0;        // of a change of order within one stripe
-  double kink_cost = 3.0;       // the same where it bends or jumps
+  // Rows over which that may happen, since rows are not quite the planes of camera and light, and over which
+  // the cost grows from nothing to all.
+  double crossing_free_rows = 6.0, crossing_rows = 12.0;
+  double cut_cost = 40.0;  // of a change of order within one stripe
+  double kink_cost = 3.0;  // the same where it bends or jumps
 };
 
 // Cost of two pieces having certain orders together, at [a * candidates of second + b].
@@ -43,8 +47,9 @@ struct JointGraph {
 
 // Costs of heights by themselves (working volume, backplane) and against those of neighbours, whichever laser
 // they belong to: at the right orders, the stripes of all lasers interleave to a smooth surface. At wrong
-// ones they do not, because one order is worth another height for each laser.
-JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, double min_height_mm, double max_height_mm,
-                           const JointGraphOptions& options);
+// ones they do not, because one order is worth another height for each laser. `sample_rows` is
+// JointPieceOptions'.
+JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_rows, double min_height_mm,
+                           double max_height_mm, const JointGraphOptions& options);
 
 }  // namespace dorsum

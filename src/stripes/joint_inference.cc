@@ -41,7 +41,7 @@ class Inference {
     FindSurfaces();
     for (std::size_t i = 0; i < pieces_.size(); ++i) labels_.own_margin[i] = OwnMargin(static_cast<int>(i));
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-      const double margin = std::min(MoveCost(surfaces_[s], -1, true), MoveCost(surfaces_[s], 1, true));
+      const double margin = std::min(MoveCost(surfaces_[s], -1), MoveCost(surfaces_[s], 1));
       for (const int i : surfaces_[s]) {
         labels_.surface[U(i)] = static_cast<int>(s);
         labels_.surface_margin[U(i)] = margin;
@@ -133,9 +133,10 @@ class Inference {
     }
   }
 
-  // What it adds to the total cost to move all pieces of a surface up (1) or down (-1) by one order. As a
-  // margin, heights across the surface's edges count for little: how high a step is says hardly anything.
-  double MoveCost(const std::vector<int>& surface, int by, bool as_margin) {
+  // What it adds to the total cost to move all pieces of a surface up (1) or down (-1) by one order. Heights
+  // across the surface's edges count for little, however long these are: how high a step is says hardly
+  // anything, and whether the lasers' stripes interleave smoothly inside says much.
+  double MoveCost(const std::vector<int>& surface, int by) {
     inside_.assign(pieces_.size(), false);
     for (const int i : surface) inside_[U(i)] = true;
     const auto moved = [&](int i) {
@@ -158,11 +159,11 @@ class Inference {
         (inside_[U(j)] ? cost : steps) += edge.heights[is] - edge.heights[was];
       }
     }
-    return cost + (as_margin ? std::min(steps, options_.most_for_steps) : steps);
+    return cost + std::clamp(steps, -options_.most_for_steps, options_.most_for_steps);
   }
 
   bool MoveSurface(const std::vector<int>& surface) {
-    const double down = MoveCost(surface, -1, false), up = MoveCost(surface, 1, false);
+    const double down = MoveCost(surface, -1), up = MoveCost(surface, 1);
     if (std::min(down, up) >= -1e-6) return false;
     const int by = down < up ? -1 : 1;
     for (const int i : surface) {

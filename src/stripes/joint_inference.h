@@ -12,7 +12,7 @@ struct JointInferenceOptions {
   MessagePassingOptions messages;
   int cluster_rounds = 10;      // of shifting whole surfaces, 0 to 100
   double smooth_cost = 0.7;     // cost of one observation below which two pieces are on one surface
-  double most_for_steps = 2.0;  // what the heights of steps at a surface's edges may add to its margin
+  double most_for_steps = 2.0;  // what all steps at a surface's edges together may say of its height
 };
 
 // The cheapest candidates found, and how sure they are.

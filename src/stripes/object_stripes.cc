@@ -32,6 +32,12 @@ std::vector<float> Heights(const LaserStripes& stripes, const DeviceGeometry& de
   return z;
 }
 
+float Median(std::vector<float>* values) {
+  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
+  std::nth_element(values->begin(), middle, values->end());
+  return *middle;
+}
+
 // Standard deviation of the heights of segments that lie on the backplane, from the median deviation.
 double BackplaneDeviation(const IndexedStripes& stripes, const std::vector<std::vector<float>>& heights,
                           double least) {
@@ -46,10 +52,38 @@ double BackplaneDeviation(const IndexedStripes& stripes, const std::vector<std::
       });
     }
   }
-  if (all.empty()) return 0.0;
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return 1.4826 * *middle;
+  return all.empty() ? 0.0 : 1.4826 * Median(&all);
+}
+
+// The usual width of a laser's stripes on the backplane, px; 0 where too few were measured.
+float UsualWidth(const LaserStripes& stripes, const std::vector<float>& z, double threshold) {
+  std::vector<float> widths;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (std::abs(z[i]) < threshold && stripes.points[i].width > 0.0F)
+      widths.push_back(stripes.points[i].width);
+  }
+  constexpr std::size_t kFew = 100;
+  return widths.size() < kFew ? 0.0F : Median(&widths);
+}
+
+// Takes the height of points that are too wide away.
+int DropWide(const LaserStripes& stripes, float widest, int rows, std::vector<float>* z) {
+  int dropped = 0;
+  std::vector<float> near;
+  for (const StripeSegment& s : stripes.segments) {
+    if (!s.order) continue;
+    for (std::int32_t i = s.first; i < s.first + s.count; ++i) {
+      near.clear();
+      for (std::int32_t j = std::max(s.first, i - rows / 2);
+           j <= std::min(s.first + s.count - 1, i + rows / 2); ++j) {
+        near.push_back(stripes.points[static_cast<std::size_t>(j)].width);
+      }
+      if (Median(&near) <= widest) continue;
+      (*z)[static_cast<std::size_t>(i)] = kNan;
+      ++dropped;
+    }
+  }
+  return dropped;
 }
 
 enum class Place { kObject, kBackplane, kNeither };
@@ -131,6 +165,11 @@ ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceGeometry& d
   out.object.diagnostics = stripes.diagnostics;
   for (std::size_t l = 0; l < stripes.lasers.size(); ++l) {
     const LaserStripes& from = stripes.lasers[l];
+    const float width = UsualWidth(from, heights[l], out.threshold_mm);
+    if (width > 0.0F) {
+      const float widest = static_cast<float>(options.max_width_ratio) * width;
+      out.wide += DropWide(from, widest, options.width_rows, &heights[l]);
+    }
     LaserStripes to;
     to.laser = from.laser;
     std::vector<std::int32_t> moved(from.points.size(), kNoPoint);
@@ -138,7 +177,11 @@ ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceGeometry& d
       if (!segment.order) continue;
       for (const Run& run : FindRuns(segment, heights[l], out.threshold_mm, options)) {
         if (run.place == Place::kObject) AppendSegment(from, segment, run.first, run.count, &moved, &to);
-        if (run.place == Place::kNeither) out.below += run.count;
+        if (run.place == Place::kNeither) {
+          const auto z = heights[l].begin() + run.first;
+          out.below +=
+              static_cast<int>(std::count_if(z, z + run.count, [](float x) { return !std::isnan(x); }));
+        }
         if (run.place != Place::kBackplane) continue;
         const auto first = from.points.begin() + run.first;
         out.backplane.insert(out.backplane.end(), first, first + run.count);

@@ -16,6 +16,10 @@ struct ObjectSplitOptions {
   // `short_height_mm`: an edge's light beside a stripe pushes it by about a millimetre.
   int short_rows = 12;
   double short_height_mm = 2.5;
+  // What is this much wider than the backplane's stripes, in the median over `width_rows`, is no stripe: an
+  // edge of shadow, of which a dark scene under a curved response has many. Skin widens to about 1.5.
+  double max_width_ratio = 2.7;  // 1.2 to 10
+  int width_rows = 9;
   int short_dip_rows = 6;  // a dip below the least height that is as short as this stays the object's
 };
 
@@ -24,6 +28,7 @@ struct ObjectSplit {
   std::vector<StripePoint> backplane;  // points on the backplane, all lasers; their indices mean nothing
   double threshold_mm = 0.0;           // least height of an object's point that was used
   double backplane_sd_mm = 0.0;        // standard deviation of the backplane's heights
+  int wide = 0;                        // points too wide to be a stripe's, in neither
   int below = 0;                       // points deeper below the backplane than that, in neither
 };
 
