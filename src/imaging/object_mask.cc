@@ -8,6 +8,7 @@
 
 #include "imaging/band_cut.h"
 #include "imaging/led_ratio.h"
+#include "imaging/object_outline.h"
 #include "imaging/seed_light.h"
 #include "imaging/seed_map.h"
 #include "imaging/stage_sink.h"
@@ -109,7 +110,8 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   fine.pull = options.seed_strength * CountVotes(seeds, hand.size(), 1);
 
   HandMask result;
-  result.mask = CutInBand(fine);
+  result.outlines = FindOutlines(CutInBand(fine), fine.light, fine.texture);
+  result.mask = FillOutlines(result.outlines, hand.size());
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
   result.contradicting = ContradictingShare(seeds, result.mask);
