@@ -64,8 +64,8 @@ Shift SteepestPlace(const cv::Mat& light, float texture, cv::Point2f place, cv::
   }
   std::array<float, 2 * kSide + 1> steps{};
   for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = (levels[k + 1] - levels[k]) / kStep;
-  const auto steepest = std::max_element(steps.begin(), steps.end(),
-                                         [](float a, float b) { return std::abs(a) < std::abs(b); });
+  const auto* steepest = std::max_element(steps.begin(), steps.end(),
+                                          [](float a, float b) { return std::abs(a) < std::abs(b); });
   const float sign = *steepest < 0.0F ? -1.0F : 1.0F, peak = std::abs(*steepest);
   const int at = static_cast<int>(steepest - steps.begin());
   float sum = 0.0F, moment = 0.0F;
