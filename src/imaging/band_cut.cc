@@ -32,7 +32,10 @@ constexpr std::array<Step, 4> kSteps = {
 
 class BandGraph {
  public:
-  explicit BandGraph(const BandCut& input) : in_(input), node_(input.known.size(), -1) {
+  explicit BandGraph(const BandCut& input)
+      : in_(input),
+        texture_scale_(input.texture.rows == input.known.rows ? 1 : 2),
+        node_(input.known.size(), -1) {
     for (int v = 0; v < node_.rows; ++v) {
       const auto* known = in_.known.ptr<std::uint8_t>(v);
       for (int u = 0; u < node_.cols; ++u) {
@@ -58,8 +61,8 @@ class BandGraph {
 
  private:
   int Cost(cv::Point p, cv::Point q, float length) const {
-    const float texture = 0.5F * (in_.texture.at<float>(p) + in_.texture.at<float>(q));
-    const float step = SharpStep(in_.light, p, q - p) / texture;
+    const float step = SharpStep(in_.light, p, q - p) /
+                       in_.texture.at<float>(cv::Point(p.x / texture_scale_, p.y / texture_scale_));
     return static_cast<int>(kUnit * length * std::max(kCheapest, 1.0F / (1.0F + step * step)));
   }
 
@@ -86,6 +89,7 @@ class BandGraph {
   }
 
   const BandCut& in_;
+  int texture_scale_;
   cv::Mat_<int> node_;  // -1 where the pixel is known
   std::vector<cv::Point> pixels_;
   cv::detail::GCGraph<int> graph_;

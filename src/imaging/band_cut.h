@@ -5,12 +5,13 @@
 
 namespace dorsum {
 
-// A picture to be parted in two where that is still open. All of one size.
+// A picture to be parted in two where that is still open. All of one size, but for the texture.
 struct BandCut {
   cv::Mat known;  // CV_8UC1: kBackplanePixel, kObjectPixel or kUnknownPixel (imaging/seed_map.h)
   cv::Mat pull;   // CV_32FC1: what it costs to call the pixel backplane (> 0) or object (< 0), px of outline
   cv::Mat light;  // CV_32FC1: the picture
-  cv::Mat texture;  // CV_32FC1, > 0: difference between neighbours that still is no edge
+  cv::Mat texture;  // CV_32FC1, > 0: difference between neighbours that still is no edge; of half the size
+                    // (rounded up), or of that of the others
 };
 
 // Names the unknown pixels object or backplane by the cheapest cut: an outline's piece costs its length, px,

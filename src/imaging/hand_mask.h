@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 #include "base/context.h"
@@ -20,7 +22,10 @@ struct HandMask {
   cv::Mat mask;            // CV_8UC1, 0 or 255, the captured image's size
   double threshold = 0.0;  // grey values
   double area_share = 0.0;
-  double contradicting = 0.0;  // share of seeds on the wrong side of the outline; RefineObjectMask fills it
+
+  // RefineObjectMask fills these too.
+  double contradicting = 0.0;                      // share of seeds on the wrong side of the outline
+  std::vector<std::vector<cv::Point2f>> outlines;  // sub-pixel, as imaging/object_outline.h says
 };
 
 // The document's mask of hand or object (§3.4, Figure 3.4): the background is subtracted, the difference

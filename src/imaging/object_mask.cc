@@ -8,6 +8,7 @@
 
 #include "imaging/band_cut.h"
 #include "imaging/led_ratio.h"
+#include "imaging/object_outline.h"
 #include "imaging/seed_light.h"
 #include "imaging/seed_map.h"
 #include "imaging/stage_sink.h"
@@ -15,6 +16,8 @@
 namespace dorsum {
 namespace {
 
+constexpr int kReach = 3;             // px: how far the outline on double pixels may be off
+constexpr double kFineTexture = 0.7;  // single pixels differ less than double ones, though noise is more
 constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
 
 // Far from the object's stripes what has not changed is backplane, whether or not a stripe lies there.
@@ -102,29 +105,28 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   BandCut fine;
   fine.light = LedRatio(background, hand, 1);
   cv::resize(object, object, {object.cols * 2, object.rows * 2}, 0, 0, cv::INTER_NEAREST);
-  fine.known = OpenOutline(object(cv::Rect({0, 0}, hand.size())), 3);
-  cv::Mat texture;
-  cv::resize(coarse.texture, texture, {object.cols, object.rows});
-  fine.texture = texture(cv::Rect({0, 0}, hand.size())) * 0.7;
+  fine.known = OpenOutline(object(cv::Rect({0, 0}, hand.size())), kReach);
+  fine.texture = coarse.texture * kFineTexture;
   fine.pull = options.seed_strength * CountVotes(seeds, hand.size(), 1);
 
   HandMask result;
-  result.mask = CutInBand(fine);
+  result.outlines = FindOutlines(CutInBand(fine), fine.light, fine.texture);
+  result.mask = FillOutlines(result.outlines, hand.size());
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
   result.contradicting = ContradictingShare(seeds, result.mask);
   Sink(context, "mask/mask", result.mask);
   if (result.area_share < options.min_area_share) {
     return BadInput(
-        "no object is seen: a few stripes seem to lie on one, but they do not make an outline with bgHand; "
-        "put "
-        "the hand down and capture again");
+        "no object is seen: a few stripes seem to lie on one, but make no outline together with bgHand; put "
+        "the "
+        "hand down and capture again");
   }
   if (result.area_share > options.picture_only.max_area_share) {
     return BadInput(
         "the object seems to fill the picture, so its outline is not seen; look whether bgHand and the "
         "stripes "
-        "belong to the same capture and the calibration fits the device");
+        "are of one capture and the calibration is this device's");
   }
   return result;
 }

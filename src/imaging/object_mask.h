@@ -33,8 +33,10 @@ struct ObjectMaskOptions {
 //   Between two neighbouring seeds of one kind in a row all is of that kind. Elsewhere the outline is the
 // minimum cut (Boykov and Jolly 2001) of the picture's light, hand / background: cheap along a sharp edge of
 // it, where shadow has none; a seed costs `seed_strength` when it lands on the wrong side, so that a few
-// wrong ones do no harm. First on pixels of double size, then on single ones along the outline found.
+// wrong ones do no harm. First on pixels of double size, then on single ones along the outline found,
+// then to a part of a pixel (FindOutlines).
 //   `background` and `hand` are CV_8UC3 of one size. Too few seeds on the object: ExtractHandMask's answer.
+// An error when no object is seen, or one that has no outline.
 Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
                                   const std::vector<ObjectSeed>& seeds, const ObjectMaskOptions& options,
                                   const Context& context = {});
