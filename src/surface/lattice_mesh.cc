@@ -16,9 +16,9 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 class LatticeMesher {
  public:
-  LatticeMesher(const PlateLattice& lattice, const Outline& outline, const Camera& camera,
+  LatticeMesher(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
                 double max_slope_deg)
-      : l_(lattice), camera_(camera), inside_(lattice.active.size()) {
+      : l_(lattice), rays_(rays), inside_(lattice.active.size()) {
     const std::size_t count = l_.active.total();
     for (auto& ids : ids_) ids.assign(count, kNone);
     for (int r = 0; r < inside_.rows; ++r) {
@@ -40,8 +40,7 @@ class LatticeMesher {
   };
 
   std::uint32_t AddVertex(double c, double r, double z) {
-    const Ray ray = CastRay(camera_, {l_.u0 + l_.step_px * c, l_.v0 + l_.step_px * r});
-    mesh_.vertices.push_back(ray.At((z - ray.origin.z()) / ray.direction.z()));
+    mesh_.vertices.push_back(rays_.At(l_.u0 + l_.step_px * c, l_.v0 + l_.step_px * r, z));
     return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
   }
 
@@ -92,7 +91,7 @@ class LatticeMesher {
   void AddFace(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Eigen::Vector3d &pa = mesh_.vertices[a], &pb = mesh_.vertices[b], &pc = mesh_.vertices[c];
     Eigen::Vector3d normal = (pb - pa).cross(pc - pa);
-    const Eigen::Vector3d view = ((pa + pb + pc) / 3.0 - camera_.Center()).normalized();
+    const Eigen::Vector3d view = ((pa + pb + pc) / 3.0 - rays_.center()).normalized();
     const double along = normal.dot(view);
     const double across = (normal - along * view).norm();
     if (!(across <= max_rise_ * std::abs(along))) return;
@@ -102,7 +101,7 @@ class LatticeMesher {
   }
 
   const PlateLattice& l_;
-  const Camera& camera_;
+  const RayField& rays_;
   cv::Mat1f inside_;
   double max_rise_ = 0.0;
   std::array<std::vector<std::uint32_t>, 3> ids_;  // of nodes, of crossings to the right and below
@@ -137,9 +136,9 @@ void ComputeNormals(TriangleMesh* mesh) {
 
 }  // namespace
 
-TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const Camera& camera,
+TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
                          double max_slope_deg) {
-  TriangleMesh mesh = LatticeMesher(lattice, outline, camera, max_slope_deg).Mesh();
+  TriangleMesh mesh = LatticeMesher(lattice, outline, rays, max_slope_deg).Mesh();
   DropLooseVertices(&mesh);
   ComputeNormals(&mesh);
   return mesh;

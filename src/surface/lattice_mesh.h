@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/camera.h"
 #include "geometry/mesh.h"
 #include "surface/height_field.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
+#include "surface/ray_field.h"
 
 namespace dorsum {
 
@@ -13,7 +13,7 @@ namespace dorsum {
 // the outline are cut where the outline crosses them. No triangle where the surface is steeper against the
 // camera's image plane than `max_slope_deg` (a depth jump), or where the lattice is not active. Normals point
 // up.
-TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const Camera& camera,
+TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
                          double max_slope_deg);
 
 // Heights of a mesh over a regular grid of the backplane, the highest where it overlaps itself; NaN

@@ -81,14 +81,10 @@ void AddSamples(const std::vector<PlateSample>& samples, const PlateLattice& l, 
 
 void AddBending(const PlateOptions& options, const PlateLattice& l, Stencil* s) {
   const double h = options.mm_per_px * l.step_px;
-  const auto stiffness = static_cast<float>(options.stiffness / (h * h));
+  const auto scale = static_cast<float>(1.0 / (h * h));
   const auto tension = static_cast<float>(options.tension);
-  const auto yield = static_cast<float>(options.crease_curvature * h * h);
   const auto on = [&](int c, int r) {
     return c >= 0 && r >= 0 && c < l.active.cols && r < l.active.rows && l.active(r, c) != 0;
-  };
-  const auto weight = [&](float bend) {
-    return yield > 0.0F ? stiffness / (1.0F + bend * bend / (yield * yield)) : stiffness;
   };
   for (int r = 0; r < l.active.rows; ++r) {
     for (int c = 0; c < l.active.cols; ++c) {
@@ -97,16 +93,14 @@ void AddBending(const PlateOptions& options, const PlateLattice& l, Stencil* s) 
       const auto wide = static_cast<std::size_t>(s->cols);
       const bool e = on(c + 1, r), n = on(c, r + 1);
       if (on(c - 1, r) && e) {
-        const float bend = l.z(r, c - 1) - 2.0F * l.z(r, c) + l.z(r, c + 1);
-        s->Add<3>({i - 1, i, i + 1}, {1.0F, -2.0F, 1.0F}, weight(bend), 0.0F);
+        s->Add<3>({i - 1, i, i + 1}, {1.0F, -2.0F, 1.0F}, scale * l.stiffness(r, c), 0.0F);
       }
       if (on(c, r - 1) && n) {
-        const float bend = l.z(r - 1, c) - 2.0F * l.z(r, c) + l.z(r + 1, c);
-        s->Add<3>({i - wide, i, i + wide}, {1.0F, -2.0F, 1.0F}, weight(bend), 0.0F);
+        s->Add<3>({i - wide, i, i + wide}, {1.0F, -2.0F, 1.0F}, scale * l.stiffness(r, c), 0.0F);
       }
       if (e && n && on(c + 1, r + 1)) {
-        const float bend = l.z(r, c) - l.z(r, c + 1) - l.z(r + 1, c) + l.z(r + 1, c + 1);
-        s->Add<4>({i, i + 1, i + wide, i + wide + 1}, {1.0F, -1.0F, -1.0F, 1.0F}, 2.0F * weight(bend), 0.0F);
+        s->Add<4>({i, i + 1, i + wide, i + wide + 1}, {1.0F, -1.0F, -1.0F, 1.0F},
+                  2.0F * scale * l.stiffness(r, c), 0.0F);
       }
       if (e) s->Add<2>({i, i + 1}, {-1.0F, 1.0F}, tension, 0.0F);
       if (n) s->Add<2>({i, i + wide}, {-1.0F, 1.0F}, tension, 0.0F);

@@ -14,8 +14,9 @@ namespace dorsum {
 struct PlateLattice {
   double u0 = 0.0, v0 = 0.0;  // px
   double step_px = 2.5;
-  cv::Mat1b active;  // 0 or 255
-  cv::Mat1f z;       // mm
+  cv::Mat1b active;     // 0 or 255
+  cv::Mat1f z;          // mm
+  cv::Mat1f stiffness;  // weight of the squared curvature, one per node, above 0
 
   double U(int c) const { return u0 + step_px * c; }
   double V(int r) const { return v0 + step_px * r; }
@@ -29,20 +30,16 @@ struct PlateSample {
 };
 
 struct PlateOptions {
-  double mm_per_px = 0.2;   // of the object, above 0
-  double stiffness = 10.0;  // weight of the squared curvature, integrated over the area (mm^-2 mm^2), above 0
-  double tension = 1e-4;    // weight of the squared slope, keeps what no sample holds from swinging, >= 0
-  double crease_curvature = 0.0;  // 1/mm; where the plate bends much more than that it yields; 0: never
-  int max_iterations = 200;       // of conjugate gradients, 1 to 100000
-  double tolerance = 1e-5;        // of the residual against its start, 0 to 1
+  double mm_per_px = 0.2;    // of the object, above 0
+  double tension = 1e-4;     // weight of the squared slope, keeps what no sample holds from swinging, >= 0
+  int max_iterations = 200;  // of conjugate gradients, 1 to 100000
+  double tolerance = 1e-4;   // of the residual against its start, 0 to 1
 };
 
 // The thin plate that minimises
-//   sum w_i (z(u_i, v_i) - z_i)^2 + stiffness * integral (z_xx^2 + 2 z_xy^2 + z_yy^2) dx dy
+//   sum w_i (z(u_i, v_i) - z_i)^2 + integral stiffness (z_xx^2 + 2 z_xy^2 + z_yy^2) dx dy
 // over the active nodes, bilinear between nodes, free at its borders (Wahba 1990, Terzopoulos 1986). It
-// starts from lattice->z; with `crease_curvature` the stiffness falls where the start bends sharply (Blake &
-// Zisserman's weak plate, one step of iterated reweighting). Samples without four active corners are left
-// out. Returns the iterations made.
+// starts from lattice->z. Samples without four active corners are left out. Returns the iterations made.
 int SolvePlate(const std::vector<PlateSample>& samples, const PlateOptions& options, PlateLattice* lattice,
                const Context& context = {});
 

@@ -53,9 +53,9 @@ Amplitude FitAmplitude(const std::vector<Row>& rows) {
 }  // namespace
 
 float Rim::Profile(double distance_px) const {
-  const double r = options_.radius_mm;
-  const double d = std::clamp(distance_px * options_.mm_per_px, 0.0, r);
-  return static_cast<float>(std::sqrt(d * (2.0 * r - d)));
+  const double d = std::clamp(distance_px * options_.mm_per_px, 0.0, options_.reach_mm);
+  const double fade = 1.0 - d / options_.reach_mm;
+  return static_cast<float>(std::sqrt(d) * fade * fade);
 }
 
 Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const RimOptions& options,
@@ -75,8 +75,7 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
     const PlateSample& s = samples[i];
     const long c = std::lround((s.u - b.x) / kStepPx), r = std::lround((s.v - b.y) / kStepPx);
     if (c < 0 || r < 0 || c >= size.width || r >= size.height) continue;
-    if (s.weight <= 0.0F || outline.Distance(s.u, s.v) * options.mm_per_px > options.radius_mm + 2.0)
-      continue;
+    if (s.weight <= 0.0F || outline.Distance(s.u, s.v) * options.mm_per_px > options.reach_mm) continue;
     cells[static_cast<std::size_t>(r * size.width + c)].push_back(static_cast<std::uint32_t>(i));
   }
   std::vector<Amplitude> found(cells.size());

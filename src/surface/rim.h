@@ -13,15 +13,15 @@ namespace dorsum {
 
 struct RimOptions {
   double mm_per_px = 0.2;         // of the object, above 0
-  double radius_mm = 4.0;         // how far from the outline a surface may turn away from the camera, 1 to 20
+  double reach_mm = 12.0;         // how far from the outline the term reaches, 2 to 50
   double neighbourhood_mm = 7.0;  // samples that decide for one place of the outline, 2 to 30
-  double prior_sd = 0.7;          // of the amplitude, where samples say little
 };
 
 // Where a rounded body turns away from the camera, its height falls like the root of the distance d to its
 // outline (Koenderink 1984): infinitely steep, which no plate can follow between stripes. The rim term
-// amplitude * g(d), g a quarter of a circle of `radius_mm`, takes that part away, and what is left is smooth.
-// The amplitude varies slowly along the outline and is zero at sharp edges such as a box's.
+//   amplitude * sqrt(d) * (1 - d / reach)^2
+// takes that part away, and what is left is smooth. The amplitude, mm^(1/2), varies slowly along the outline
+// and is near zero at sharp edges such as a box's; it is fitted to the samples around each place.
 class Rim {
  public:
   Rim(const std::vector<PlateSample>& samples, const Outline& outline, const RimOptions& options,

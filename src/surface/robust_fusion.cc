@@ -2,20 +2,24 @@
 #include "surface/robust_fusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
-
-#include <opencv2/imgproc.hpp>
 
 #include "surface/lattice_mesh.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
+#include "surface/plate_stiffness.h"
+#include "surface/plate_support.h"
+#include "surface/ray_field.h"
 #include "surface/rim.h"
+#include "surface/stripe_agreement.h"
 
 namespace dorsum {
 namespace {
 
-constexpr float kLeastSigma = 0.01F;  // mm; no point is better than that
+constexpr float kLeastSigma = 0.01F;       // mm; no point is better than that
+constexpr float kStartStiffness = 100.0F;  // of the coarsest lattice, before curvatures are known
+constexpr double kCoarsestStepMm = 2.0;
 
 // How many mm of the object one pixel spans, at the points' median depth.
 double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
@@ -27,85 +31,13 @@ double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
   return *middle / std::sqrt(camera.fx * camera.fy);
 }
 
-std::vector<PlateSample> MakeSamples(const SurfacePoints& points) {
-  std::vector<PlateSample> samples;
-  samples.reserve(points.size());
-  for (const SurfacePoint& p : points) {
-    const float sigma = std::max(p.sigma, kLeastSigma);
-    samples.push_back({p.u, p.v, static_cast<float>(p.position.z()), 1.0F / (sigma * sigma)});
-  }
-  return samples;
-}
-
-// Lattice nodes on the object or next to it that have a point within reach.
-PlateLattice MakeLattice(const std::vector<PlateSample>& samples, const Outline& outline, double step_px,
-                         double reach_px) {
-  PlateLattice l;
-  const cv::Rect& b = outline.bounds();
-  l.step_px = step_px;
-  l.u0 = b.x;
-  l.v0 = b.y;
-  const cv::Size size(static_cast<int>(b.width / step_px) + 2, static_cast<int>(b.height / step_px) + 2);
-  cv::Mat1b empty(size, std::uint8_t{255});
-  for (const PlateSample& s : samples) {
-    const long c = std::lround((s.u - l.u0) / step_px), r = std::lround((s.v - l.v0) / step_px);
-    if (c >= 0 && r >= 0 && c < size.width && r < size.height)
-      empty(static_cast<int>(r), static_cast<int>(c)) = 0;
-  }
-  cv::Mat1f distance;
-  cv::distanceTransform(empty, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  l.active = cv::Mat1b(size, std::uint8_t{0});
-  l.z = cv::Mat1f(size, 0.0F);
-  for (int r = 0; r < size.height; ++r) {
-    for (int c = 0; c < size.width; ++c) {
-      const bool on = outline.Distance(l.U(c), l.V(r)) > -1.5 * step_px;
-      if (on && distance(r, c) * step_px <= reach_px) l.active(r, c) = 255;
-    }
-  }
-  return l;
-}
-
-// Medians of the samples around each node: a start that outliers in the minority do not reach.
-void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* l) {
-  std::vector<std::vector<float>> cells(l->active.total());
-  const auto cell = [&](int c, int r) -> std::vector<float>& {
-    return cells[static_cast<std::size_t>(r) * static_cast<std::size_t>(l->active.cols) +
-                 static_cast<std::size_t>(c)];
-  };
-  for (const PlateSample& s : samples) {
-    const long c = std::lround((s.u - l->u0) / l->step_px), r = std::lround((s.v - l->v0) / l->step_px);
-    if (c >= 0 && r >= 0 && c < l->active.cols && r < l->active.rows)
-      cell(static_cast<int>(c), static_cast<int>(r)).push_back(s.z);
-  }
-  std::vector<float> around;
-  for (int r = 0; r < l->active.rows; ++r) {
-    for (int c = 0; c < l->active.cols; ++c) {
-      if (l->active(r, c) == 0) continue;
-      for (int span = 1; span <= 4; ++span) {
-        around.clear();
-        for (int y = std::max(0, r - span); y <= std::min(l->active.rows - 1, r + span); ++y) {
-          for (int x = std::max(0, c - span); x <= std::min(l->active.cols - 1, c + span); ++x) {
-            around.insert(around.end(), cell(x, y).begin(), cell(x, y).end());
-          }
-        }
-        if (around.size() < 10 && span < 4) continue;
-        if (around.empty()) break;
-        const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-        std::nth_element(around.begin(), middle, around.end());
-        l->z(r, c) = *middle;
-        break;
-      }
-    }
-  }
-}
-
 // Geman and McClure's weights for the residuals against the present surface.
 std::vector<PlateSample> Reweigh(const std::vector<PlateSample>& samples, const PlateLattice& l,
                                  double scale_mm, double sigmas) {
   std::vector<PlateSample> out = samples;
   for (PlateSample& s : out) {
     const float z = HeightAt(l, s.u, s.v);
-    if (!std::isfinite(z)) continue;
+    if (s.weight <= 0.0F || !std::isfinite(z)) continue;
     const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
     const double e = (s.z - z) / scale;
     s.weight = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
@@ -113,67 +45,164 @@ std::vector<PlateSample> Reweigh(const std::vector<PlateSample>& samples, const 
   return out;
 }
 
+class Fuser {
+ public:
+  Fuser(const SurfacePoints& points, const Camera& camera, const cv::Mat& mask,
+        const RobustFusionOptions& options, const Context& context)
+      : points_(points),
+        options_(options),
+        context_(context),
+        mm_per_px_(MmPerPixel(points, camera)),
+        outline_(mask, static_cast<int>(std::ceil(2.0 * options.pitch_mm / mm_per_px_)) + 1),
+        rays_(camera, outline_.bounds()) {
+    plate_.mm_per_px = mm_per_px_;
+    out_.field.pitch_mm = options.pitch_mm;
+    out_.verdicts.assign(points.size(), PointVerdict::kGood);
+  }
+
+  RobustFusion Run() {
+    MakeSamples();
+    MakeLevels();
+    SolveCoarsest();
+    const Rim rim = TakeRimOff();
+    const std::size_t compared = levels_.size() > 1 ? levels_.size() - 2 : 0;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      if (i > 0) {
+        levels_[i].stiffness = LocalStiffness(levels_[i - 1], levels_[i], {.mm_per_px = mm_per_px_});
+        Prolong(levels_[i - 1], &levels_[i]);
+      }
+      const double scale = std::max(1.0, 0.6 * levels_[i].step_px * mm_per_px_);
+      Solve(i, {scale, scale});
+      if (i == compared) LevelLasers(&levels_[i]);
+      if (i == compared) CompareLasers(rim, levels_[i]);
+    }
+    Judge();
+    PlateLattice& finest = levels_.back();
+    for (int r = 0; r < finest.z.rows; ++r) {
+      for (int c = 0; c < finest.z.cols; ++c) finest.z(r, c) += rim.Height(finest.U(c), finest.V(r));
+    }
+    out_.mesh = MeshLattice(finest, outline_, rays_, options_.max_slope_deg);
+    out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm);
+    out_.field.left_out = out_.misplaced + out_.outliers;
+    return std::move(out_);
+  }
+
+ private:
+  void MakeSamples() {
+    samples_.reserve(points_.size());
+    const std::vector<bool> misplaced = FindMisplaced(points_, outline_, {.mm_per_px = mm_per_px_});
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const SurfacePoint& p = points_[i];
+      const float sigma = std::max(p.sigma, kLeastSigma);
+      const float weight = misplaced[i] ? 0.0F : 1.0F / (sigma * sigma);
+      samples_.push_back({p.u, p.v, static_cast<float>(p.position.z()), weight});
+      lasers_.push_back(p.laser);
+      if (misplaced[i]) out_.verdicts[i] = PointVerdict::kMisplaced;
+      out_.misplaced += misplaced[i] ? 1 : 0;
+    }
+  }
+
+  void MakeLevels() {
+    levels_ = {MakeSupport(samples_, outline_,
+                           {.step_px = options_.pitch_mm / mm_per_px_,
+                            .mm_per_px = mm_per_px_,
+                            .max_beyond_mm = options_.max_beyond_mm,
+                            .max_gap_mm = options_.max_gap_mm})};
+    while (levels_.back().step_px * mm_per_px_ < kCoarsestStepMm) levels_.push_back(Coarsen(levels_.back()));
+    std::reverse(levels_.begin(), levels_.end());
+  }
+
+  void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
+    for (const double scale : scales_mm) {
+      SolvePlate(Reweigh(samples_, levels_[level], scale, options_.outlier_sigmas), plate_, &levels_[level],
+                 context_);
+    }
+  }
+
+  // From loose to tight, so that what few samples say does not bend the surface (graduated non-convexity).
+  void SolveCoarsest() {
+    levels_[0].stiffness = cv::Mat1f(levels_[0].z.size(), kStartStiffness);
+    StartFromMedians(samples_, levels_.data());
+    Solve(0, {8.0, 4.0, 2.5});
+  }
+
+  Rim TakeRimOff() {
+    Rim rim(Reweigh(samples_, levels_[0], 2.5, options_.outlier_sigmas), outline_, {.mm_per_px = mm_per_px_},
+            context_);
+    for (PlateSample& s : samples_) s.z -= rim.Height(s.u, s.v);
+    PlateLattice& l = levels_[0];
+    for (int r = 0; r < l.z.rows; ++r) {
+      for (int c = 0; c < l.z.cols; ++c) l.z(r, c) -= rim.Height(l.U(c), l.V(r));
+    }
+    return rim;
+  }
+
+  // A small offset is taken off as far as it is known; a large one is a movement, which no offset mends.
+  void LevelLasers(PlateLattice* level) {
+    constexpr int kIterations = 600;
+    PlateOptions exact = plate_;
+    exact.max_iterations = kIterations;
+    exact.tolerance = 1e-5;
+    level->stiffness = LocalStiffness(*level, *level, {.mm_per_px = mm_per_px_});
+    const std::vector<PlateSample> weighed = Reweigh(samples_, *level, 1.0, options_.outlier_sigmas);
+    SolvePlate(weighed, exact, level, context_);
+    out_.offsets = EstimateLaserOffsets(weighed, lasers_, *level, exact, {.mm_per_px = mm_per_px_}, context_);
+    std::array<float, 256> off{};
+    for (const LaserOffset& one : out_.offsets) {
+      if (std::abs(one.mean_mm) > options_.max_offset_mm) return;
+      const double known = one.mean_mm * one.mean_mm, variance = one.sd_mm * one.sd_mm;
+      if (known > 0.0) {
+        off[static_cast<std::size_t>(one.laser)] =
+            static_cast<float>(one.mean_mm * known / (known + variance));
+      }
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].z -= off[lasers_[i]];
+  }
+
+  void CompareLasers(const Rim& rim, const PlateLattice& level) {
+    const std::vector<PlateSample> weighed =
+        Reweigh(samples_, level, 0.6 * level.step_px * mm_per_px_, options_.outlier_sigmas);
+    out_.lasers = dorsum::CompareLasers(weighed, lasers_, level, plate_, rim, rays_,
+                                        {.mm_per_px = mm_per_px_}, context_);
+  }
+
+  void Judge() {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const PlateSample& s = samples_[i];
+      if (s.weight <= 0.0F) continue;
+      const float z = HeightAt(levels_.back(), s.u, s.v);
+      const double limit =
+          std::max(options_.outlier_mm, options_.outlier_sigmas / std::sqrt(static_cast<double>(s.weight)));
+      if (!std::isfinite(z)) {
+        out_.verdicts[i] = PointVerdict::kUnused;
+      } else if (std::abs(s.z - z) > limit) {
+        out_.verdicts[i] = PointVerdict::kOutlier;
+        ++out_.outliers;
+      }
+    }
+  }
+
+  const SurfacePoints& points_;
+  const RobustFusionOptions& options_;
+  const Context& context_;
+  double mm_per_px_;
+  Outline outline_;
+  RayField rays_;
+  PlateOptions plate_;
+  std::vector<PlateSample> samples_;  // heights without the rim and the lasers' offsets
+  std::vector<std::uint8_t> lasers_;
+  std::vector<PlateLattice> levels_;  // from coarse to fine
+  RobustFusion out_;
+};
+
 }  // namespace
 
 RobustFusion FuseRobust(const SurfacePoints& points, const Camera& camera, const cv::Mat& mask,
                         const RobustFusionOptions& options, const Context& context) {
-  RobustFusion out;
-  out.field.pitch_mm = options.pitch_mm;
-  out.verdicts.assign(points.size(), PointVerdict::kGood);
-  if (points.empty()) return out;
-  const double mm_per_px = MmPerPixel(points, camera);
-  const double step = options.pitch_mm / mm_per_px;
-  const Outline outline(mask, static_cast<int>(std::ceil(2.0 * step)) + 1);
-  std::vector<PlateSample> samples = MakeSamples(points);
-
-  std::vector<PlateLattice> levels = {
-      MakeLattice(samples, outline, step, options.max_distance_mm / mm_per_px)};
-  while (levels.back().step_px * mm_per_px < 2.0) levels.push_back(Coarsen(levels.back()));
-  std::reverse(levels.begin(), levels.end());
-
-  PlateOptions plate;
-  plate.mm_per_px = mm_per_px;
-  plate.stiffness = options.stiffness;
-  StartFromMedians(samples, levels.data());
-  for (const double scale : {8.0, 4.0, 2.5}) {
-    const std::vector<PlateSample> weighed = Reweigh(samples, levels[0], scale, options.outlier_sigmas);
-    SolvePlate(weighed, plate, levels.data(), context);
-  }
-  const Rim rim(Reweigh(samples, levels[0], 2.5, options.outlier_sigmas), outline, {.mm_per_px = mm_per_px},
-                context);
-  for (PlateSample& s : samples) s.z -= rim.Height(s.u, s.v);
-  for (int r = 0; r < levels[0].z.rows; ++r) {
-    for (int c = 0; c < levels[0].z.cols; ++c)
-      levels[0].z(r, c) -= rim.Height(levels[0].U(c), levels[0].V(r));
-  }
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    if (i > 0) Prolong(levels[i - 1], &levels[i]);
-    const double scale = std::max(1.0, 0.6 * levels[i].step_px * mm_per_px);
-    for (int round = 0; round < 2; ++round) {
-      const std::vector<PlateSample> weighed = Reweigh(samples, levels[i], scale, options.outlier_sigmas);
-      SolvePlate(weighed, plate, &levels[i], context);
-    }
-  }
-  PlateLattice& finest = levels.back();
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float z = HeightAt(finest, samples[i].u, samples[i].v);
-    if (!std::isfinite(z)) {
-      out.verdicts[i] = PointVerdict::kOutsideSupport;
-      continue;
-    }
-    const double limit = std::max(options.outlier_mm,
-                                  options.outlier_sigmas / std::sqrt(static_cast<double>(samples[i].weight)));
-    if (std::abs(samples[i].z - z) <= limit) continue;
-    out.verdicts[i] = PointVerdict::kOutlier;
-    ++out.outliers;
-  }
-  for (int r = 0; r < finest.z.rows; ++r) {
-    for (int c = 0; c < finest.z.cols; ++c) finest.z(r, c) += rim.Height(finest.U(c), finest.V(r));
-  }
-  out.mesh = MeshLattice(finest, outline, camera, options.max_slope_deg);
-  out.field = RasterizeMesh(out.mesh, options.pitch_mm);
-  out.field.left_out = out.outliers;
-  return out;
+  if (!points.empty()) return Fuser(points, camera, mask, options, context).Run();
+  RobustFusion empty;
+  empty.field.pitch_mm = options.pitch_mm;
+  return empty;
 }
 
 }  // namespace dorsum

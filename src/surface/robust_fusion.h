@@ -10,35 +10,47 @@
 #include "geometry/camera.h"
 #include "geometry/mesh.h"
 #include "surface/height_field.h"
+#include "surface/laser_consistency.h"
+#include "surface/laser_offsets.h"
 #include "surface/surface_point.h"
 
 namespace dorsum {
 
 struct RobustFusionOptions {
-  double pitch_mm = 0.5;    // of the height field and, on the object, of the mesh, 0.1 to 5
-  double stiffness = 15.0;  // weight of the squared curvature against the samples, mm^-2 mm^2
-  double max_distance_mm =
-      6.5;  // how far from a point the surface goes on; gaps up to twice as wide close, 0.5 to 50
+  double pitch_mm = 0.5;        // of the height field and, on the object, of the mesh, 0.1 to 5
+  double max_beyond_mm = 7.0;   // how far the surface goes on beyond the last points, 0 to 50
+  double max_gap_mm = 20.0;     // widest gap between points that closes, 1 to 100
   double max_slope_deg = 81.0;  // against the image plane; steeper is a depth jump and stays open, 10 to 89
-  double outlier_mm = 2.0;      // a point further than this and than
-  double outlier_sigmas = 8.0;  // that many of its sigma from the surface of the others is an outlier
+  double outlier_mm = 2.0;      // a point further from the surface than this, 0.1 to 50, and than
+  double outlier_sigmas = 8.0;  // that many of its own sigma, 1 to 100, is an outlier
+  double max_offset_mm = 0.5;   // a laser's height offset up to this is taken off before merging, 0: never
 };
 
-enum class PointVerdict : std::uint8_t { kGood, kOutlier, kOutsideSupport };
+enum class PointVerdict : std::uint8_t {
+  kGood,
+  kMisplaced,  // its stripe contradicts the stripes around it: a wrong order
+  kOutlier,    // off the merged surface
+  kUnused,     // outside the mask
+};
 
 struct RobustFusion {
   HeightField field;
   TriangleMesh mesh;
-  std::vector<PointVerdict> verdicts;  // one per point
-  int outliers = 0;
+  std::vector<PointVerdict> verdicts;    // one per point
+  std::vector<LaserConsistency> lasers;  // as the points came, by laser
+  std::vector<LaserOffset> offsets;      // relative to the mean of all lasers
+  int misplaced = 0, outliers = 0;       // points
 };
 
-// Merges the points of all lasers into one surface, solved over the image, where the seen surface is a
-// function, its outline is the mask's, and what hides behind an edge needs no care: a thin plate (plate.h)
-// with the points' variances as weights and Geman-McClure's weights against outliers, from coarse to fine, on
-// top of the rim term (rim.h) that lets flanks fall as steeply as rounded bodies do. The mesh is cut at the
-// outline, and the height field is the mesh seen from above. `mask`: CV_8UC1, not 0 on the object, of the
-// captured image's size.
+// Merges the points of all lasers into one surface. It is solved over the image, where the seen surface is a
+// function, where its outline is the mask's and what hides behind an edge needs no care: a thin plate
+// (plate.h) with the points' variances as weights, Geman-McClure's weights against outliers and a stiffness
+// that follows the surface (plate_stiffness.h), from coarse to fine, on top of the rim term (rim.h) that lets
+// flanks fall as steeply as rounded bodies do. Stripes with wrong orders are found first
+// (stripe_agreement.h). Each laser is compared with the surface of the others (laser_consistency.h); its
+// height offset is taken off as far as it is known, offset^3 / (offset^2 + sd^2), so that the mean over the
+// lasers stays. The mesh is cut at the outline; the height field is the mesh seen from above. `mask`:
+// CV_8UC1, not 0 on the object, of the captured image's size.
 RobustFusion FuseRobust(const SurfacePoints& points, const Camera& camera, const cv::Mat& mask,
                         const RobustFusionOptions& options, const Context& context = {});
 

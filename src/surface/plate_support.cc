@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/plate_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dorsum {
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::max();
+
+// Lengths of the shortest ways over nodes that are `on`, in steps, from those where `way` is zero: sweeps
+// with 3 x 3 masks until they change nothing (chamfer distances, Borgefors 1986).
+void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
+  constexpr float kDiagonal = 1.4142136F;
+  cv::Mat1f& d = *way;
+  for (bool changed = true; changed;) {
+    changed = false;
+    const auto relax = [&](int r, int c, int dr, int dc, float step) {
+      const int y = r + dr, x = c + dc;
+      if (y < 0 || x < 0 || y >= d.rows || x >= d.cols || !(d(y, x) + step < d(r, c))) return;
+      d(r, c) = d(y, x) + step;
+      changed = true;
+    };
+    for (const int sign : {-1, 1}) {
+      for (int i = 0; i < d.rows; ++i) {
+        const int r = sign < 0 ? i : d.rows - 1 - i;
+        for (int j = 0; j < d.cols; ++j) {
+          const int c = sign < 0 ? j : d.cols - 1 - j;
+          if (on(r, c) == 0) continue;
+          relax(r, c, 0, sign, 1.0F);
+          relax(r, c, sign, 0, 1.0F);
+          relax(r, c, sign, -1, kDiagonal);
+          relax(r, c, sign, 1, kDiagonal);
+        }
+      }
+    }
+  }
+}
+
+// Nodes inside the outline, and those with a neighbour inside.
+cv::Mat1b NodesOnObject(const PlateLattice& l, const Outline& outline, cv::Size size) {
+  cv::Mat1b inside(size, std::uint8_t{0}), out(size, std::uint8_t{0});
+  for (int r = 0; r < size.height; ++r) {
+    for (int c = 0; c < size.width; ++c) inside(r, c) = outline.Distance(l.U(c), l.V(r)) > 0.0F ? 1 : 0;
+  }
+  for (int r = 0; r < size.height; ++r) {
+    for (int c = 0; c < size.width; ++c) {
+      const cv::Rect around = cv::Rect(c - 1, r - 1, 3, 3) & cv::Rect({0, 0}, size);
+      for (int y = around.y; y < around.y + around.height; ++y) {
+        for (int x = around.x; x < around.x + around.width; ++x) out(r, c) |= inside(y, x);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+PlateLattice MakeSupport(const std::vector<PlateSample>& samples, const Outline& outline,
+                         const PlateSupportOptions& options) {
+  PlateLattice l;
+  const cv::Rect& b = outline.bounds();
+  l.step_px = options.step_px;
+  l.u0 = b.x;
+  l.v0 = b.y;
+  const cv::Size size(static_cast<int>(b.width / l.step_px) + 2, static_cast<int>(b.height / l.step_px) + 2);
+  const cv::Mat1b on = NodesOnObject(l, outline, size);
+  cv::Mat1f to_sample(size, kFar);
+  for (const PlateSample& s : samples) {
+    const long c = std::lround((s.u - l.u0) / l.step_px), r = std::lround((s.v - l.v0) / l.step_px);
+    if (s.weight <= 0.0F || c < 0 || r < 0 || c >= size.width || r >= size.height) continue;
+    to_sample(static_cast<int>(r), static_cast<int>(c)) = 0.0F;
+  }
+  SpreadDistances(on, &to_sample);
+  // A closing: what lies within half a gap of samples, less a rim, leaves the gaps closed and goes beyond the
+  // last samples no further than asked.
+  const double step_mm = l.step_px * options.mm_per_px;
+  const double half_gap = 0.5 * options.max_gap_mm / step_mm, beyond = options.max_beyond_mm / step_mm;
+  cv::Mat1f to_unseen(size, kFar);
+  for (int r = 0; r < size.height; ++r) {
+    for (int c = 0; c < size.width; ++c) {
+      const bool border = r == 0 || c == 0 || r == size.height - 1 || c == size.width - 1;
+      if (on(r, c) != 0 && (border || to_sample(r, c) > half_gap)) to_unseen(r, c) = 0.0F;
+    }
+  }
+  SpreadDistances(on, &to_unseen);
+  l.active = cv::Mat1b(size, std::uint8_t{0});
+  l.z = cv::Mat1f(size, 0.0F);
+  for (int r = 0; r < size.height; ++r) {
+    for (int c = 0; c < size.width; ++c) {
+      const bool seen =
+          to_sample(r, c) <= beyond || (to_sample(r, c) <= half_gap && to_unseen(r, c) > half_gap - beyond);
+      if (on(r, c) != 0 && seen) l.active(r, c) = 255;
+    }
+  }
+  return l;
+}
+
+void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lattice) {
+  PlateLattice& l = *lattice;
+  std::vector<std::vector<float>> cells(l.active.total());
+  const auto cell = [&](int c, int r) -> std::vector<float>& {
+    return cells[static_cast<std::size_t>(r) * static_cast<std::size_t>(l.active.cols) +
+                 static_cast<std::size_t>(c)];
+  };
+  for (const PlateSample& s : samples) {
+    const long c = std::lround((s.u - l.u0) / l.step_px), r = std::lround((s.v - l.v0) / l.step_px);
+    if (s.weight <= 0.0F || c < 0 || r < 0 || c >= l.active.cols || r >= l.active.rows) continue;
+    cell(static_cast<int>(c), static_cast<int>(r)).push_back(s.z);
+  }
+  constexpr std::size_t kEnough = 10;
+  constexpr int kMaxSpan = 8;
+  std::vector<float> around;
+  for (int r = 0; r < l.active.rows; ++r) {
+    for (int c = 0; c < l.active.cols; ++c) {
+      if (l.active(r, c) == 0) continue;
+      around.clear();
+      for (int span = 1; span <= kMaxSpan && around.size() < kEnough; ++span) {
+        around.clear();
+        for (int y = std::max(0, r - span); y <= std::min(l.active.rows - 1, r + span); ++y) {
+          for (int x = std::max(0, c - span); x <= std::min(l.active.cols - 1, c + span); ++x) {
+            around.insert(around.end(), cell(x, y).begin(), cell(x, y).end());
+          }
+        }
+      }
+      if (around.empty()) continue;
+      const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+      std::nth_element(around.begin(), middle, around.end());
+      l.z(r, c) = *middle;
+    }
+  }
+}
+
+}  // namespace dorsum

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/ray_field.h"
+
+#include <algorithm>
+
+namespace dorsum {
+namespace {
+
+constexpr double kStepPx = 8.0;
+
+}  // namespace
+
+RayField::RayField(const Camera& camera, const cv::Rect& part)
+    : center_(camera.Center()),
+      u0_(part.x - kStepPx),
+      v0_(part.y - kStepPx),
+      slope_(static_cast<int>(part.height / kStepPx) + 4, static_cast<int>(part.width / kStepPx) + 4) {
+  for (int r = 0; r < slope_.rows; ++r) {
+    for (int c = 0; c < slope_.cols; ++c) {
+      const Eigen::Vector3d d = CastRay(camera, {u0_ + kStepPx * c, v0_ + kStepPx * r}).direction;
+      slope_(r, c) = {d.x() / d.z(), d.y() / d.z()};
+    }
+  }
+}
+
+Eigen::Vector3d RayField::At(double u, double v, double z) const {
+  const double x = (u - u0_) / kStepPx, y = (v - v0_) / kStepPx;
+  const int c = std::clamp(static_cast<int>(x), 0, slope_.cols - 2),
+            r = std::clamp(static_cast<int>(y), 0, slope_.rows - 2);
+  const double fx = x - c, fy = y - r;
+  const cv::Vec2d top = slope_(r, c) * (1.0 - fx) + slope_(r, c + 1) * fx;
+  const cv::Vec2d bottom = slope_(r + 1, c) * (1.0 - fx) + slope_(r + 1, c + 1) * fx;
+  const cv::Vec2d m = top * (1.0 - fy) + bottom * fy;
+  const double rise = z - center_.z();
+  return {center_.x() + rise * m[0], center_.y() + rise * m[1], z};
+}
+
+}  // namespace dorsum
