@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -38,8 +39,8 @@ std::vector<Eigen::Vector3d> DiscPoints(const VirtualLed& led) {
 
 class LedShading {
  public:
-  LedShading(const VirtualDevice& device, const SceneTracer& tracer, const Eigen::Vector3d& eye)
-      : device_(device), tracer_(tracer), eye_(eye) {
+  LedShading(const VirtualDevice& device, const SceneTracer& tracer, Eigen::Vector3d eye)
+      : device_(device), tracer_(tracer), eye_(std::move(eye)) {
     for (const VirtualLed& led : device.leds) points_.push_back(DiscPoints(led));
   }
 

@@ -47,8 +47,8 @@ std::string KnownWords() {
 }
 
 Result<SceneModifier> ParseModifier(std::string_view text, bool is_hand) {
-  const auto end_of_word = std::find_if(text.begin(), text.end(), [](char c) { return c < 'a' || c > 'z'; });
-  const std::string_view word(text.begin(), end_of_word), rest(end_of_word, text.end());
+  const std::size_t letters = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), text.size());
+  const std::string_view word = text.substr(0, letters), rest = text.substr(letters);
   const auto* rule =
       std::find_if(kRules.begin(), kRules.end(), [&](const ModifierRule& r) { return r.word == word; });
   const std::string shown = "+" + std::string(text);
@@ -93,7 +93,7 @@ Result<SceneModifiers> ParseModifiers(const std::string& text, bool is_hand) {
     modifiers.push_back(modifier);
   }
   if (Has(modifiers, Modifier::kDark) && Has(modifiers, Modifier::kLight)) {
-    return UsageError("skin is \"+dark\" or \"+light\", not both");
+    return UsageError("skin is either +dark or +light");
   }
   return modifiers;
 }
