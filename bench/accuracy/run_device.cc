@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "accuracy/budget.h"
 #include "accuracy/scene_kind.h"
 #include "accuracy/true_device.h"
@@ -71,6 +73,12 @@ Result<CaptureResult> RunCapture(const DeviceData::Capture& capture, const Way& 
     return result;
   }
   result.figures = ToFigures(*score, ScoreSurface(truth, mesh, score->alignment));
+  const cv::Mat mask = cv::imread((out / "mask.png").string(), cv::IMREAD_GRAYSCALE);
+  if (mask.size() == truth.material.size()) {
+    const MaskScore of_mask = ScoreMask(truth, mask);
+    result.figures["mask_missing"] = of_mask.missing;
+    result.figures["mask_beyond"] = of_mask.beyond;
+  }
   DORSUM_RETURN_IF_ERROR(Evaluate51(out, &result, context));
   if (way.budget) {
     DORSUM_ASSIGN_OR_RETURN(const Calibration calibration, ReadCalibration(way.calibration));

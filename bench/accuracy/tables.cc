@@ -69,7 +69,10 @@ std::string LadderTable(const Results& results, const std::string& design) {
                                    "wrong",
                                    "complete",
                                    "stray",
+                                   "beyond",
                                    "sigma_ratio",
+                                   "mask_missing",
+                                   "mask_beyond",
                                    "surface_z_rmse",
                                    "surface_z_median_abs",
                                    "surface_z_p95_abs",
@@ -107,6 +110,8 @@ std::string BudgetTable(const Results& results, const std::string& design) {
       for (const char* part : kParts) row.push_back(Fixed(Rms(Values(reached.budget, part))));
       row.push_back(Fixed(Rms(Values(reached.figures, "surface_z_rmse"))));
       row.push_back(Fixed(Rms(Values(reached.budget, "fusion"))));
+      row.push_back(Fixed(MeanOrNan(Values(reached.figures, "surface_z_p95_abs"))));
+      row.push_back(Fixed(MeanOrNan(Values(reached.budget, "fusion_p95_abs"))));
       table.Row(row);
     }
   }
