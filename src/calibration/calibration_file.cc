@@ -61,6 +61,10 @@ Status ReadCamera(const Json& json, const std::string& where, Camera* c) {
   return {};
 }
 
+const char* FormName(FanForm form) {
+  return form == FanForm::kFlat ? "flat" : form == FanForm::kConical ? "conical" : "general";
+}
+
 Json LaserToJson(const LaserGeometry& laser) {
   Json planes = Json::array();
   for (const PlaneSheet& s : laser.planes) {
@@ -89,8 +93,10 @@ Json LaserToJson(const LaserGeometry& laser) {
                     {"n", ToJson(laser.fan->n)},
                     {"fan_distance_mm", laser.fan->fan_distance_mm},
                     {"tilt_rad", laser.fan->tilt},
+                    {"turn_rad", laser.fan->turn},
+                    {"bow", EffectiveBow(*laser.fan)},
                     {"step", laser.fan->step},
-                    {"form", laser.fan->form == FanForm::kFlat ? "flat" : "conical"}};
+                    {"form", FormName(laser.fan->form)}};
   }
   return json;
 }
@@ -106,8 +112,16 @@ Status ReadCone(const Json& json, const std::string& where, LaserGeometry* laser
   fan.tilt = reader.Number("tilt_rad", -1.5, 1.5);
   fan.step = reader.Number("step", 1e-6, 1.0);
   const std::string form = reader.Text("form");
-  if (form != "flat" && form != "conical") reader.Fail("form", "must be 'flat' or 'conical'");
-  fan.form = form == "conical" ? FanForm::kConical : FanForm::kFlat;
+  bool known = false;
+  for (const FanForm f : {FanForm::kFlat, FanForm::kConical, FanForm::kGeneral}) {
+    if (form != FormName(f)) continue;
+    fan.form = f;
+    known = true;
+  }
+  if (!known) reader.Fail("form", "must be flat, conical or general");
+  // Files of the first version know the two plain forms only.
+  if (fan.form == FanForm::kGeneral || reader.Has("bow")) fan.bow = reader.Number("bow", -1.0, 1.0);
+  if (reader.Has("turn_rad")) fan.turn = reader.Number("turn_rad", -0.5, 0.5);
   Eigen::Matrix3d axes;
   axes << fan.a, fan.b, fan.n;
   if ((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm() > 1e-6) {

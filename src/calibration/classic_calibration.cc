@@ -136,24 +136,21 @@ void Judge(double calibration_height_mm, LaserCalibration* laser) {
   }
 }
 
-}  // namespace
-
-Result<ClassicCalibration> CalibrateClassic(const CalibrationSeries& series,
-                                            const ClassicCalibrationOptions& options,
-                                            const Context& context) {
+// Everything after the camera. `align` turns the world about the board's centre to the reference laser's
+// central stripe (DESIGN §2).
+Result<ClassicCalibration> CalibrateLasers(const CalibrationSeries& series, const CameraCalibration& camera,
+                                           bool align, const ClassicCalibrationOptions& options,
+                                           const Context& context) {
   ClassicCalibration out;
-  context.Report("chessboards", 0.0);
-  DORSUM_ASSIGN_OR_RETURN(out.camera, CalibrateCamera(series, options.camera, context));
-  out.warnings = out.camera.warnings;
+  out.camera = camera;
   for (const int k : series.lasers) out.lasers.emplace_back().laser = k;
   DORSUM_RETURN_IF_ERROR(ObserveAll(series, out.camera.camera, options, context, &out.lasers));
 
-  // Two passes: the first finds the direction of the reference laser's central stripe, by which the world is
-  // turned about the board's centre (DESIGN §2); the second works in that world.
-  for (int pass = 0; pass < 2; ++pass) {
+  // Two passes: the first finds the direction of the central stripe; the second works in that world.
+  for (int pass = align ? 0 : 1; pass < 2; ++pass) {
     DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
     context.Report("background stripes", 0.5 * pass);
-    if (pass == 1) out.warnings = out.camera.warnings;
+    out.warnings = out.camera.warnings;
     DORSUM_RETURN_IF_ERROR(
         FindCentralStripes(series, out.camera.camera, options.first_estimates, context, &out));
     DORSUM_RETURN_IF_ERROR(ModelBackgrounds(series, options.background, context, &out));
@@ -183,6 +180,23 @@ Result<ClassicCalibration> CalibrateClassic(const CalibrationSeries& series,
     Judge(series.setup.calibration_object_height_mm, &laser);
   }
   return out;
+}
+
+}  // namespace
+
+Result<ClassicCalibration> CalibrateClassic(const CalibrationSeries& series,
+                                            const ClassicCalibrationOptions& options,
+                                            const Context& context) {
+  context.Report("chessboards", 0.0);
+  DORSUM_ASSIGN_OR_RETURN(const CameraCalibration camera, CalibrateCamera(series, options.camera, context));
+  return CalibrateLasers(series, camera, true, options, context);
+}
+
+Result<ClassicCalibration> CalibrateClassicLasers(const CalibrationSeries& series,
+                                                  const CameraCalibration& camera,
+                                                  const ClassicCalibrationOptions& options,
+                                                  const Context& context) {
+  return CalibrateLasers(series, camera, false, options, context);
 }
 
 }  // namespace dorsum

@@ -48,4 +48,10 @@ struct ClassicCalibration {
 Result<ClassicCalibration> CalibrateClassic(const CalibrationSeries& series,
                                             const ClassicCalibrationOptions& options, const Context& context);
 
+// The same for a camera whose world is aligned already, as the bundle leaves it: the camera stays as it is.
+Result<ClassicCalibration> CalibrateClassicLasers(const CalibrationSeries& series,
+                                                  const CameraCalibration& camera,
+                                                  const ClassicCalibrationOptions& options,
+                                                  const Context& context);
+
 }  // namespace dorsum

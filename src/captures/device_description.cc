@@ -28,6 +28,10 @@ void ReadCamera(DeviceSection s, CameraDesign& camera) {
   s.Read("look_at_mm", camera.look_at_mm, -100, 90);
   camera.format = s.ReadChoice("format", "jpeg", "png", camera.format == "png") ? "png" : "jpeg";
   s.Read("jpeg_quality", camera.jpeg_quality, 50, 100);
+  s.Read("stream_jpeg_quality", camera.stream_jpeg_quality, 0, 100);
+  if (camera.stream_jpeg_quality != 0 && camera.stream_jpeg_quality < 30) {
+    s.Fail("stream_jpeg_quality", std::to_string(camera.stream_jpeg_quality), "0 (none) or from 30 to 100");
+  }
   s.RefuseUnknownKeys();
 }
 
@@ -40,6 +44,7 @@ void ReadSensor(DeviceSection s, SensorDesign& sensor) {
   s.Read("filter_falloff", sensor.filter_falloff, 0, 0.95);
   s.Read("leak_red", sensor.leak_red, 0, 1);
   s.Read("leak_blue", sensor.leak_blue, 0, 1);
+  s.Read("bayer", sensor.bayer);
   s.RefuseUnknownKeys();
 }
 

@@ -27,7 +27,9 @@ struct CameraDesign {
   Eigen::Vector3d position_mm{-118.0, 0.0, 386.0};                         // z 100 to 3000
   Eigen::Vector3d look_at_mm{14.0, 0.0, 0.0};
   std::string format = "jpeg";  // jpeg | png
-  int jpeg_quality = 94;        // 50 to 100
+  int jpeg_quality = 94;        // 50 to 100; colour at half resolution (4:2:0), as cameras write it
+  int stream_jpeg_quality = 0;  // of the JPEG stream through which a webcam sends its pictures, before they
+                                // are written to files: 30 to 100; 0: none
 };
 
 // From light on the lens to numbers in the file.
@@ -40,6 +42,7 @@ struct SensorDesign {
   double filter_falloff =
       0.25;  // share of light lost in the picture's corner by the narrow-band filter, 0 to 0.95
   double leak_red = 0.08, leak_blue = 0.11;  // green light seen by the other channels, 0 to 1
+  bool bayer = false;  // each pixel sees one colour (RGGB), the others are interpolated bilinearly
 };
 
 struct GratingDesign {
@@ -97,14 +100,15 @@ struct MountingDesign {
 
 struct SpeckleDesign {
   double contrast = 0.15;       // standard deviation over mean of laser light on the sensor, 0 to 1
-  double correlation_px = 1.1;  // Gaussian sigma of its grain, 0 to 10
+  double correlation_px = 0.6;  // sigma of the Gaussian that shapes its grain, 0 to 10: neighbours d px
+                                // apart correlate by exp(-(d / (2 sigma))^2)
 };
 
 // How a stripe widens under skin: part of the light comes out after wandering.
 struct SkinDesign {
-  double line_blur_mm = 0.3;      // added to the line's own width in quadrature, 0 to 5
-  double scatter_share = 0.35;    // of the light, in a wider Gaussian, 0 to 1
-  double scatter_sigma_mm = 1.4;  // its width, 0.01 to 20
+  double line_blur_mm = 0.1;      // added to the line's own width in quadrature, 0 to 5
+  double scatter_share = 0.5;     // of the light, in a wider Gaussian, 0 to 1
+  double scatter_sigma_mm = 1.3;  // its width, 0.01 to 20
 };
 
 struct DeviceDescription {

@@ -79,6 +79,21 @@ TEST_F(DeviceDescriptionTest, OtherShippedFileIsReadable) {
   EXPECT_NEAR(file->grating.Step(), 532e-6 * 70.0 * std::sqrt(0.5), 1e-12);
 }
 
+TEST_F(DeviceDescriptionTest, DevicesOfTheAccuracyBenchDifferWhereTheySaySo) {
+  const std::string folder = "bench/accuracy/devices/";
+  const auto usual = ReadDeviceDescription(folder + "default.toml");
+  const auto other = ReadDeviceDescription(folder + "other-design.toml");
+  const auto bad = ReadDeviceDescription(folder + "bad.toml");
+  ASSERT_TRUE(usual.ok() && other.ok() && bad.ok());
+  EXPECT_FALSE(usual->sensor.bayer);
+  EXPECT_TRUE(other->sensor.bayer);
+  EXPECT_LT(usual->camera.position_mm.x() * other->camera.position_mm.x(), 0.0) << "on the other side";
+  EXPECT_NE(other->lasers[0].tilt_deg, 0.0);
+  EXPECT_EQ(bad->speckle.contrast, 2.0 * usual->speckle.contrast);
+  EXPECT_EQ(bad->sensor.full_well_e, 0.25 * usual->sensor.full_well_e);
+  EXPECT_EQ(bad->lasers.size(), usual->lasers.size());
+}
+
 TEST_F(DeviceDescriptionTest, MissingFileIsNamed) {
   const auto result = ReadDeviceDescription(dir_ / "nowhere.toml");
   ASSERT_FALSE(result.ok());
@@ -122,6 +137,10 @@ TEST_F(DeviceDescriptionTest, WrongTypesAreRefused) {
   EXPECT_THAT(MessageOf(std::string(kLaser) + kLed + "[camera]\ndistortion = [0.1, 0.2]\n"),
               HasSubstr("a list of 5 numbers"));
   EXPECT_THAT(MessageOf("camera = 3\n" + std::string(kLaser) + kLed), HasSubstr("[camera] table"));
+  EXPECT_THAT(MessageOf(std::string(kLaser) + kLed + "[sensor]\nbayer = 1\n"),
+              AllOf(HasSubstr("sensor.bayer"), HasSubstr("true or false")));
+  EXPECT_THAT(MessageOf(std::string(kLaser) + kLed + "[camera]\nstream_jpeg_quality = 10\n"),
+              AllOf(HasSubstr("camera.stream_jpeg_quality"), HasSubstr("0 (none) or from 30 to 100")));
   EXPECT_THAT(MessageOf("name = 4\n" + std::string(kLaser) + kLed), HasSubstr("text in quotes"));
 }
 

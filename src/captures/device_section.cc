@@ -44,6 +44,13 @@ void DeviceSection::Read(std::string_view key, std::string& value) {
   value = **node->as_string();
 }
 
+void DeviceSection::Read(std::string_view key, bool& value) {
+  const toml::node* node = Find(key);
+  if (node == nullptr) return;
+  if (!node->is_boolean()) return FailNode(key, *node, "true or false");
+  value = **node->as_boolean();
+}
+
 void DeviceSection::Read(std::string_view key, Eigen::Vector3d& value, double min_z, double max_z) {
   const std::vector<double> list = ReadList(key, 3, -5000.0, 5000.0);
   if (list.empty()) return;

@@ -24,6 +24,7 @@ class DeviceSection {
   void Read(std::string_view key, double& value, double min, double max);
   void Read(std::string_view key, int& value, int min, int max);
   void Read(std::string_view key, std::string& value);
+  void Read(std::string_view key, bool& value);
   void Read(std::string_view key, Eigen::Vector3d& value, double min_z, double max_z);
   template <std::size_t N>
   void Read(std::string_view key, std::array<double, N>& value, double min, double max) {

@@ -48,8 +48,10 @@ void AddCalibrate(CLI::App* app, Session* session) {
   c->add_option("-o,--out", arguments->out,
                 "file to write; a report of the same name with .html comes beside it")
       ->required();
-  c->add_option("--method", arguments->options.method, "how: the document's way (classic)")
-      ->check(CLI::IsMember({"classic"}))
+  c->add_option(
+       "--method", arguments->options.method,
+       "how: cones by one adjustment over all boards and stripes (bundle), or the document's way (classic)")
+      ->check(CLI::IsMember({"bundle", "classic"}))
       ->capture_default_str();
   AddCommonOptions(c, session);
   c->footer("Example: dorsum calibrate scan/calibration -o calibration.json");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "simulator/scene_modifiers.h"
 
 namespace dorsum {
 namespace {
@@ -43,9 +44,10 @@ void AddSimulate(CLI::App* app, Session* session) {
       ->capture_default_str();
   c->add_option("--people-seed", arguments->options.people_seed,
                 "names the people, to bring them to several devices");
-  c->add_option("--scene", arguments->options.scenes,
-                "plane, plane_tilted, boxH, cylinderR, sphereR, hand:man|woman:left|right:NAME[:kN]; with "
-                "_rN another noise");
+  c->add_option(
+      "--scene", arguments->options.scenes,
+      "plane, plane_tilted, boxH, whiteboxH, cylinderR, sphereR, "
+      "hand:man|woman:left|right:NAME[:kN]; with modifiers as listed below, and _rN for another noise");
   c->add_option("--population", arguments->options.population, "this many people, both hands of each (§5.3)")
       ->check(CLI::Range(0, 10000));
   c->add_option("--sessions", arguments->options.sessions, "captures of each hand")
@@ -54,7 +56,9 @@ void AddSimulate(CLI::App* app, Session* session) {
   c->add_flag("--overwrite", arguments->options.overwrite,
               "replace what an earlier run wrote to the same folder");
   AddCommonOptions(c, session);
-  c->footer("Example: dorsum simulate -o scan --scene box25.5 --scene hand:woman:right:anna");
+  c->footer("Modifiers of a scene (K: a laser's number; [n]: another number may follow the word):\n" +
+            ModifierHelp() +
+            "Example: dorsum simulate -o scan --scene box25.5 --scene hand:woman:right:anna+ring+dark");
   c->callback([arguments, session] { Run(*arguments, session); });
 }
 

@@ -5,9 +5,20 @@
 
 namespace dorsum {
 
+double EffectiveBow(const DiffractedFan& fan) {
+  switch (fan.form) {
+    case FanForm::kFlat:
+      return std::sin(fan.tilt);
+    case FanForm::kConical:
+      return 0.0;
+    case FanForm::kGeneral:
+      return fan.bow;
+  }
+  return 0.0;
+}
+
 double IncomingAlpha(const DiffractedFan& fan, double beta) {
-  const double s = std::sin(fan.tilt);
-  return fan.form == FanForm::kConical ? s : s * std::sqrt(1.0 - beta * beta);
+  return std::sin(fan.tilt) + fan.turn * beta + EffectiveBow(fan) * (std::sqrt(1.0 - beta * beta) - 1.0);
 }
 
 namespace {
@@ -30,17 +41,17 @@ std::optional<FanCoordinates> Locate(const DiffractedFan& fan, const Eigen::Vect
   FanCoordinates c;
   double y_g = y * fan.fan_distance_mm / (std::sqrt(x * x + z * z) + fan.fan_distance_mm);
   for (int i = 0; i < 60; ++i) {
-    const double dy = y - y_g;
-    c.distance_mm = std::sqrt(x * x + dy * dy + z * z);
+    const double dx = x - fan.turn * y_g, dy = y - y_g;
+    c.distance_mm = std::sqrt(dx * dx + dy * dy + z * z);
     const double beta = dy / c.distance_mm;
     const double change = std::abs(beta - c.beta);
     c.beta = beta;
     y_g = ExitOffset(fan, beta);
     if (i > 0 && change < 1e-15) break;
   }
-  c.alpha = x / c.distance_mm;
+  c.alpha = (x - fan.turn * y_g) / c.distance_mm;
   c.alpha_in = IncomingAlpha(fan, c.beta);
-  c.exit = fan.origin + y_g * fan.b;
+  c.exit = fan.origin + y_g * (fan.turn * fan.a + fan.b);
   return c;
 }
 
@@ -48,7 +59,7 @@ std::optional<Ray> DiffractedRay(const DiffractedFan& fan, int order, double bet
   const double alpha = IncomingAlpha(fan, beta) + order * fan.step;
   const double gamma_squared = 1.0 - alpha * alpha - beta * beta;
   if (gamma_squared <= 0.0) return std::nullopt;
-  return Ray{fan.origin + ExitOffset(fan, beta) * fan.b,
+  return Ray{fan.origin + ExitOffset(fan, beta) * (fan.turn * fan.a + fan.b),
              alpha * fan.a + beta * fan.b + std::sqrt(gamma_squared) * fan.n};
 }
 

@@ -9,16 +9,18 @@
 
 namespace dorsum {
 
-// How the fan of a line laser meets its grating (DESIGN §3).
+// How the fan of a line laser meets its grating (DESIGN §3): what alpha before the grating is,
+// sin(tilt) + turn * beta + bow * (sqrt(1 - beta^2) - 1), whose terms of second order in beta are the
+// general a0 + a1 beta + a2 beta^2.
 enum class FanForm {
-  kFlat,     // the fan is a plane, as it leaves a laser: alpha before the grating is sin(tilt) * sqrt(1 -
-             // beta^2)
-  kConical,  // alpha before the grating is the same for all rays: sin(tilt)
+  kFlat,     // the fan is a plane, as it leaves a laser: bow = sin(tilt), whatever `bow` says
+  kConical,  // without turn alpha is the same for all rays: bow = 0, whatever `bow` says
+  kGeneral,  // `bow` as it is, which calibration finds
 };
 
 // A line laser behind a diffraction grating. In the grating's frame, a ray that meets it with direction
 // cosines (alpha, beta, gamma) leaves in order m with (alpha + m * step, beta, sqrt(1 - alpha'^2 - beta^2)).
-// The fan starts `fan_distance_mm` behind the grating, so rays leave from (0, y_g, 0) with
+// The fan starts `fan_distance_mm` behind the grating, so rays leave from (turn * y_g, y_g, 0) with
 // y_g = fan_distance * beta / gamma. Order m therefore sweeps out a cone about the grating's axis a.
 struct DiffractedFan {
   Eigen::Vector3d origin =
@@ -28,6 +30,8 @@ struct DiffractedFan {
   Eigen::Vector3d n = -Eigen::Vector3d::UnitZ();  // unit, the grating's normal towards the scene
   double fan_distance_mm = 0.0;
   double tilt = 0.0;  // rad, angle between the fan's middle ray and n, towards a
+  double turn = 0.0;  // rad, of the fan against the grating's own b, about n
+  double bow = 0.0;   // of kGeneral only: alpha's curvature along the fan
   double step = 0.0;  // lambda / d times the projection of the grating's axis on the baseline (§2.5)
   FanForm form = FanForm::kFlat;
 };
@@ -47,6 +51,9 @@ struct FanCoordinates {
 // Finds the ray of the fan that reaches a world point, whatever its order; none for points behind the
 // grating.
 std::optional<FanCoordinates> Locate(const DiffractedFan& fan, const Eigen::Vector3d& world);
+
+// The factor of (sqrt(1 - beta^2) - 1) that the fan's form asks for.
+double EffectiveBow(const DiffractedFan& fan);
 
 // alpha before the grating of the ray with direction cosine beta.
 double IncomingAlpha(const DiffractedFan& fan, double beta);

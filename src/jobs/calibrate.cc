@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/calibrate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -11,6 +12,7 @@
 #include "captures/capture.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
+#include "jobs/calibrate_bundle.h"
 #include "jobs/reconstruct.h"
 
 namespace dorsum {
@@ -24,6 +26,8 @@ Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSe
                                                              std::vector<std::string>* warnings) {
   std::map<int, std::vector<HeightSample>> samples;
   ReconstructOptions reconstruct;
+  reconstruct.mask = reconstruct.stripes = reconstruct.indexing = reconstruct.fusion = "classic";
+  reconstruct.sheets = "plane";  // what the polynomial belongs to
   reconstruct.correction = "none";
   for (std::size_t i = 0; i < series.box_heights_mm.size(); ++i) {
     DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
@@ -52,7 +56,8 @@ Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSe
   return samples;
 }
 
-PartReport ReportCorrection(const std::vector<LaserCorrection>& evidence) {
+// The polynomial belongs to the plane model alone: cones go without it.
+PartReport ReportCorrection(const std::vector<LaserCorrection>& evidence, bool cones) {
   PartReport report;
   report.part = "surface error correction";
   double worst = 0.0;
@@ -63,7 +68,9 @@ PartReport ReportCorrection(const std::vector<LaserCorrection>& evidence) {
     report.figures.push_back({who + ": points", static_cast<double>(e.fit.samples), ""});
     worst = std::max(worst, e.fit.rms_after_mm);
   }
-  if (evidence.empty()) {
+  if (evidence.empty() && cones) {
+    report.verdict = "no boxes were used, so the document's plane sheets stay uncorrected; cones need none";
+  } else if (evidence.empty()) {
     report.grade = Grade::kDoubtful;
     report.verdict = "there are no boxes under heights/, so heights stay uncorrected";
   } else if (worst > 3.0) {
@@ -79,12 +86,21 @@ PartReport ReportCorrection(const std::vector<LaserCorrection>& evidence) {
 Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& options,
                       const Context& context, CalibrationRun* run) {
   Calibration& calibration = run->calibration;
-  if (!series.box_heights_mm.empty()) {
+  const bool cones = run->bundle.has_value();
+  const bool planes = std::all_of(calibration.device.lasers.begin(), calibration.device.lasers.end(),
+                                  [](const LaserGeometry& l) { return !l.planes.empty(); });
+  if (!series.box_heights_mm.empty() && planes) {
     DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
                             PrepareCalibration(calibration, series.dir.string()));
-    DORSUM_ASSIGN_OR_RETURN(auto samples,
-                            SampleBoxes(series, ready, options, context, &calibration.warnings));
+    auto sampled = SampleBoxes(series, ready, options, context, &calibration.warnings);
+    if (!sampled.ok() && (!cones || sampled.error().code == ErrorCode::kCancelled)) return sampled.error();
+    if (!sampled.ok()) {
+      calibration.warnings.push_back("the document's plane sheets stay uncorrected: " +
+                                     sampled.error().message);
+    }
+    auto samples = sampled.ok() ? std::move(*sampled) : std::map<int, std::vector<HeightSample>>{};
     for (LaserGeometry& laser : calibration.device.lasers) {
+      if (!sampled.ok()) break;
       LaserCorrection evidence;
       evidence.laser = laser.laser;
       evidence.samples = std::move(samples[laser.laser]);
@@ -95,11 +111,11 @@ Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& o
       }
       evidence.fit = *fit;
       laser.correction = fit->polynomial;
-      laser.residual_mm = fit->rms_after_mm;
+      if (!cones) laser.residual_mm = fit->rms_after_mm;
       run->correction.push_back(std::move(evidence));
     }
   }
-  calibration.parts.push_back(ReportCorrection(run->correction));
+  calibration.parts.push_back(ReportCorrection(run->correction, cones));
   return {};
 }
 
@@ -125,6 +141,17 @@ Result<std::string> MakeReport(const CalibrationSeries& series, const Calibratio
   return MakeCalibrationReport(data);
 }
 
+Status CalibrateByDocument(const CalibrationSeries& series, const CalibrateOptions& options,
+                           const Context& context, CalibrationRun* run) {
+  DORSUM_ASSIGN_OR_RETURN(run->classic, CalibrateClassic(series, options.classic, context));
+  Calibration& c = run->calibration;
+  c.device = run->classic.device;
+  c.warnings.insert(c.warnings.end(), run->classic.warnings.begin(), run->classic.warnings.end());
+  c.parts.push_back(run->classic.camera.report);
+  for (const LaserCalibration& laser : run->classic.lasers) c.parts.push_back(laser.report);
+  return {};
+}
+
 // Says at once, and not after all the work, that there is nowhere to write.
 Status CheckTarget(const std::filesystem::path& out) {
   std::error_code ec;
@@ -148,15 +175,15 @@ Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const Ca
   CalibrationRun run;
   DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, series.Read(kBgNoHandName));
   DORSUM_RETURN_IF_ERROR(CheckExposure(background, (series.dir / kBgNoHandName).string()));
-  DORSUM_ASSIGN_OR_RETURN(run.classic, CalibrateClassic(series, options.classic, context));
   Calibration& c = run.calibration;
   c.method = options.method;
   c.version = kVersion;
-  c.device = run.classic.device;
   c.warnings = series.warnings;
-  c.warnings.insert(c.warnings.end(), run.classic.warnings.begin(), run.classic.warnings.end());
-  c.parts.push_back(run.classic.camera.report);
-  for (const LaserCalibration& laser : run.classic.lasers) c.parts.push_back(laser.report);
+  if (options.method == "classic") {
+    DORSUM_RETURN_IF_ERROR(CalibrateByDocument(series, options, context, &run));
+  } else {
+    DORSUM_RETURN_IF_ERROR(CalibrateByBundle(series, options, context, &run));
+  }
   DORSUM_ASSIGN_OR_RETURN(const auto background_path, RequireImage(series.dir, kBgNoHandName));
   DORSUM_ASSIGN_OR_RETURN(c.background, ReadFile(background_path));
   DORSUM_RETURN_IF_ERROR(FitCorrections(series, options, context, &run));

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/context.h"
 #include "base/result.h"
+#include "calibration/bundle_calibration.h"
 #include "calibration/calibration_file.h"
 #include "calibration/classic_calibration.h"
 #include "report/calibration_report.h"
@@ -14,7 +16,8 @@
 namespace dorsum {
 
 struct CalibrateOptions {
-  std::string method = "classic";
+  std::string method = "bundle";  // bundle | classic
+  BundleOptions bundle;
   ClassicCalibrationOptions classic;
   std::size_t samples_per_laser_and_box = 4000;  // at most, for the fit of the correction
 };
@@ -22,6 +25,7 @@ struct CalibrateOptions {
 // A calibration and all that was seen on the way, for the report.
 struct CalibrationRun {
   Calibration calibration;
+  std::optional<BundleCalibration> bundle;
   ClassicCalibration classic;
   std::vector<LaserCorrection> correction;  // by laser (Figure 4.3)
   std::vector<std::string> files;           // written

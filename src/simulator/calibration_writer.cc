@@ -168,7 +168,7 @@ class SeriesWriter {
     scene.parts.push_back(Backplane());
     scene.parts.push_back(BrownBox(place));
     DORSUM_RETURN_IF_ERROR(
-        WriteCapture(device_, std::move(scene), NamedSeed(folder, seed_), dir_ / folder, {}, context_));
+        WriteCapture(device_, std::move(scene), {}, NamedSeed(folder, seed_), dir_ / folder, {}, context_));
     done_ += 1.0 + static_cast<double>(device_.lasers.size());
     context_.Report("calibration series", done_ / total_);
     return {};

@@ -46,6 +46,10 @@ Json LaserToJson(const VirtualLaser& laser) {
   json["half_angle_deg"] = laser.half_angle * kDegree;
   json["power"] = laser.power;
   json["relative_power"] = laser.relative_power;
+  for (const DirtySpot& spot : laser.dirt) {
+    json["dirt"].push_back(
+        {{"beta", spot.beta}, {"half_width", spot.half_width}, {"transmission", spot.transmission}});
+  }
   json["fan_model"] = fan.form == FanForm::kConical ? "conical" : "flat";
   json["mount"]["position_error"] = Numbers(laser.position_error_mm);
   json["mount"]["rotvec_deg"] = Numbers(laser.rotation_error_rad * kDegree);
@@ -65,7 +69,8 @@ Json DeviceToJson(const VirtualDevice& device) {
       {"psf_sigma", d.sensor.psf_sigma_px}, {"cos4", 1.0}, {"filter_falloff", d.sensor.filter_falloff}};
   json["sensor"] = {{"full_well", d.sensor.full_well_e}, {"read_noise", d.sensor.read_noise_e},
                     {"gamma", d.sensor.gamma},           {"leak_r", d.sensor.leak_red},
-                    {"leak_b", d.sensor.leak_blue},      {"black", d.sensor.black_level}};
+                    {"leak_b", d.sensor.leak_blue},      {"black", d.sensor.black_level},
+                    {"bayer", d.sensor.bayer},           {"jpeg_roundtrip", d.camera.stream_jpeg_quality}};
   json["speckle"] = {{"contrast", d.speckle.contrast}, {"corr_px", d.speckle.correlation_px}};
   json["ambient"] = {{"laser_images", d.light.ambient_laser}, {"led_images", d.light.ambient_led}};
   for (const VirtualLed& led : device.leds) {

@@ -104,7 +104,7 @@ HandDetail SampleDetail(Sex sex, Rng& rng) {
   detail.relief = rng.Uniform(0.02, 0.045);
   const double lightness = std::exp(0.10 * Clamped(rng.Normal()));
   const double redness = 1.0 + 0.04 * Clamped(rng.Normal());
-  detail.skin = Eigen::Vector3d(0.55 * redness * lightness, 0.38 * lightness, 0.30 * lightness).cast<float>();
+  detail.skin = Eigen::Vector3d(0.55 * redness * lightness, 0.43 * lightness, 0.32 * lightness).cast<float>();
   return detail;
 }
 

@@ -156,6 +156,10 @@ Eigen::Vector3f HandSkin::Albedo(const Eigen::Vector3d& point) const {
   return colour.cwiseMax(0.02).cwiseMin(0.95).cast<float>();
 }
 
+double HandSkin::Nail(const Eigen::Vector3d& point) const {
+  return std::clamp(DetailAt(point, Smooth(point)).nail, 0.0, 1.0);
+}
+
 void HandSkin::Bounds(Eigen::Vector3d& lo, Eigen::Vector3d& hi) const {
   constexpr double kMargin = 6.0;
   lo.setConstant(1e9);

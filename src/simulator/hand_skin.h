@@ -19,6 +19,7 @@ class HandSkin {
 
   double Distance(const Eigen::Vector3d& point) const;  // mm, negative inside; never negative below z = 0
   Eigen::Vector3f Albedo(const Eigen::Vector3d& point) const;  // linear RGB reflectance of the skin there
+  double Nail(const Eigen::Vector3d& point) const;             // share of nail plate there, 0 to 1
   const HandSkeleton& Skeleton() const { return skeleton_; }
   void Bounds(Eigen::Vector3d& lo, Eigen::Vector3d& hi) const;  // of a box that holds the skin
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "simulator/gloss.h"
 
 namespace dorsum {
 namespace {
@@ -53,7 +54,7 @@ bool MayBeLit(const VirtualLaser& laser, const Eigen::Vector3d& point, double re
 }
 
 double Radiance(const VirtualLaser& laser, const SkinDesign& skin, const SceneTracer& tracer,
-                const SurfaceSample& sample) {
+                const Eigen::Vector3d& eye, const SurfaceSample& sample) {
   if (sample.part < 0) return 0.0;
   const double rough_distance = (sample.position - laser.fan.origin).norm();
   const Profile profile = ProfileOn(sample.material, laser, skin, rough_distance);
@@ -63,16 +64,19 @@ double Radiance(const VirtualLaser& laser, const SkinDesign& skin, const SceneTr
   const Eigen::Vector3d normal = sample.normal.cast<double>();
   const double order = at->Order(laser.fan);
   const double reach = profile.Reach() / laser.fan.step;
-  double light = 0.0;
+  const Profile mirrored{laser.sigma_alpha, 1.0, 0.0, 0.0};  // what never went under the skin
+  double light = 0.0, highlight = 0.0;
   const int first = std::max(-laser.Orders(), static_cast<int>(std::ceil(order - reach)));
   const int last = std::min(laser.Orders(), static_cast<int>(std::floor(order + reach)));
   for (int m = first; m <= last; ++m) {
-    light +=
-        PeakIrradiance(laser, m, *at, sample.position, normal) * profile.At((order - m) * laser.fan.step);
+    const double peak = PeakIrradiance(laser, m, *at, sample.position, normal);
+    const double offset = (order - m) * laser.fan.step;
+    light += peak * profile.At(offset);
+    if (sample.gloss > 0.0F) highlight += peak * mirrored.At(offset);
   }
   if (light < 1e-6) return 0.0;
   if (!IsLit(tracer, *at, sample.position, sample.face_normal.cast<double>())) return 0.0;
-  return light * static_cast<double>(sample.albedo);
+  return light * static_cast<double>(sample.albedo) + highlight * Highlight(sample, at->exit, eye);
 }
 
 }  // namespace
@@ -82,7 +86,12 @@ double FanWindow(const VirtualLaser& laser, const FanCoordinates& at) {
   const double angle = std::asin(std::clamp(at.beta / std::sqrt(1.0 - at.alpha_in * at.alpha_in), -1.0, 1.0));
   const double soft = 0.04 * laser.half_angle;
   const double t = std::clamp((laser.half_angle - std::abs(angle)) / soft, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  double window = t * t * (3.0 - 2.0 * t);
+  for (const DirtySpot& spot : laser.dirt) {
+    const double distance = (at.beta - spot.beta) / spot.half_width;
+    window *= 1.0 - (1.0 - spot.transmission) / (1.0 + std::pow(distance, 8.0));
+  }
+  return window;
 }
 
 double PeakIrradiance(const VirtualLaser& laser, int order, const FanCoordinates& at,
@@ -105,14 +114,14 @@ cv::Mat LaserLight(const VirtualLaser& laser, const SkinDesign& skin, const Scen
   ParallelFor(context, 0, view.height, [&](std::int64_t row) {
     auto* out = light.ptr<float>(static_cast<int>(row));
     for (int u = 0; u < view.width && !context.IsCancelled(); ++u) {
-      out[u] = static_cast<float>(Radiance(laser, skin, tracer, view.At(u, static_cast<int>(row))));
+      out[u] = static_cast<float>(Radiance(laser, skin, tracer, view.eye, view.At(u, static_cast<int>(row))));
     }
   });
   auto* pixels = light.ptr<float>();
   ParallelFor(context, 0, static_cast<std::int64_t>(view.fine.size()), [&](std::int64_t i) {
     const View::FinePixel& fine = view.fine[static_cast<std::size_t>(i)];
     double sum = 0.0;
-    for (const SurfaceSample& sample : fine.samples) sum += Radiance(laser, skin, tracer, sample);
+    for (const SurfaceSample& sample : fine.samples) sum += Radiance(laser, skin, tracer, view.eye, sample);
     pixels[fine.pixel] = static_cast<float>(sum / View::kFineCount);
   });
   return light;

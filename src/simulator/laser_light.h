@@ -11,7 +11,8 @@
 
 namespace dorsum {
 
-// Share of the fan's brightness at direction cosine beta: 1 inside, 0 outside, with soft ends.
+// Share of the fan's brightness at direction cosine beta: 1 inside, 0 outside, with soft ends; less behind
+// dirt.
 double FanWindow(const VirtualLaser& laser, const FanCoordinates& at);
 
 // Irradiance that order m brings to a surface at the middle of its stripe, without shadow; 1 brings a white

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "base/parallel.h"
+#include "simulator/gloss.h"
 
 namespace dorsum {
 namespace {
@@ -37,7 +38,8 @@ std::vector<Eigen::Vector3d> DiscPoints(const VirtualLed& led) {
 
 class LedShading {
  public:
-  LedShading(const VirtualDevice& device, const SceneTracer& tracer) : device_(device), tracer_(tracer) {
+  LedShading(const VirtualDevice& device, const SceneTracer& tracer, const Eigen::Vector3d& eye)
+      : device_(device), tracer_(tracer), eye_(eye) {
     for (const VirtualLed& led : device.leds) points_.push_back(DiscPoints(led));
   }
 
@@ -57,20 +59,29 @@ class LedShading {
 
   float Radiance(const SurfaceSample& sample, const Visibility& visible) const {
     if (sample.part < 0) return 0.0F;
-    double irradiance = 0.0;
+    double irradiance = 0.0, highlight = 0.0;
     for (std::size_t l = 0; l < device_.leds.size(); ++l) {
       const VirtualLed& led = device_.leds[l];
       const Eigen::Vector3d way = led.position - sample.position;
       const double d2 = way.squaredNorm();
       const double cosine = sample.normal.cast<double>().dot(way) / std::sqrt(d2);
-      irradiance += static_cast<double>(visible[l]) * led.intensity * std::max(0.0, cosine) / d2;
+      const double here = static_cast<double>(visible[l]) * led.intensity * std::max(0.0, cosine) / d2;
+      irradiance += here;
+      if (sample.gloss > 0.0F && here > 0.0) highlight += here * MeanHighlight(sample, points_[l]);
     }
-    return sample.albedo * static_cast<float>(irradiance);
+    return sample.albedo * static_cast<float>(irradiance) + static_cast<float>(highlight);
   }
 
  private:
   const VirtualDevice& device_;
+  double MeanHighlight(const SurfaceSample& sample, const std::vector<Eigen::Vector3d>& disc) const {
+    double sum = 0.0;
+    for (const Eigen::Vector3d& light : disc) sum += Highlight(sample, light, eye_);
+    return sum / static_cast<double>(disc.size());
+  }
+
   const SceneTracer& tracer_;
+  Eigen::Vector3d eye_;
   std::vector<std::vector<Eigen::Vector3d>> points_;  // by LED
 };
 
@@ -154,7 +165,7 @@ float FinePixelRadiance(const LedShading& shading, const ShadowMap& shadows, con
 
 cv::Mat LedLight(const VirtualDevice& device, const SceneTracer& tracer, const View& view,
                  const Context& context) {
-  const LedShading shading(device, tracer);
+  const LedShading shading(device, tracer, view.eye);
   const ShadowMap shadows(shading, view, context);
   cv::Mat light(view.height, view.width, CV_32F);
   ParallelFor(context, 0, view.height, [&](std::int64_t row) {

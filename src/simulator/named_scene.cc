@@ -11,14 +11,16 @@
 #include <vector>
 
 #include "base/random.h"
+#include "simulator/hand_dressing.h"
 #include "simulator/hand_mesh.h"
 
 namespace dorsum {
 namespace {
 
 constexpr const char* kForms =
-    "plane, plane_tilted, boxH (height 1 to 150 mm), cylinderR and sphereR (radius 2 to 60 mm), "
-    "hand:man|woman:left|right:PERSON[:kN], each with an optional _rN";
+    "plane, plane_tilted, boxH and whiteboxH (height 1 to 150 mm), cylinderR and sphereR (radius 2 to 60 "
+    "mm), "
+    "hand:man|woman:left|right:PERSON[:kN], each with modifiers (+ring …) and an optional _rN";
 
 std::optional<double> Number(std::string_view text, double min, double max) {
   double value = 0.0;
@@ -94,7 +96,7 @@ Spot DrawSpot(const VirtualDevice& device, double z, Rng& rng) {
   return spot;
 }
 
-ScenePart DrawBox(const VirtualDevice& device, double height, Rng& rng) {
+BoxPlace DrawBox(const VirtualDevice& device, double height, Rng& rng) {
   const Spot spot = DrawSpot(device, 0.5 * height, rng);
   BoxPlace place;
   place.centre_mm = spot.centre;
@@ -102,7 +104,7 @@ ScenePart DrawBox(const VirtualDevice& device, double height, Rng& rng) {
   place.size_mm = {share_x * spot.size.x(), share_y * spot.size.y()};
   place.height_mm = height;
   place.yaw = spot.yaw;
-  return BrownBox(place);
+  return place;
 }
 
 ScenePart DrawTiltedPlate(const VirtualDevice& device, Rng& rng) {
@@ -124,8 +126,7 @@ ScenePart DrawTiltedPlate(const VirtualDevice& device, Rng& rng) {
   return plate;
 }
 
-ScenePart DrawHand(const VirtualDevice& device, const SceneName& name, std::uint64_t people_seed) {
-  const std::uint64_t person_seed = NamedSeed("person/" + name.person, people_seed);
+PosedHand DrawHand(const VirtualDevice& device, const SceneName& name, std::uint64_t person_seed) {
   Rng shape_rng(NamedSeed("shape", person_seed));
   HandShape shape = SampleHandShape(name.sex, shape_rng);
   const std::string visit = (name.side == Side::kLeft ? "left/k" : "right/k") + std::to_string(name.visit);
@@ -136,12 +137,32 @@ ScenePart DrawHand(const VirtualDevice& device, const SceneName& name, std::uint
   Rng pose_rng(NamedSeed("pose/" + visit, person_seed));
   HandPose pose = SampleHandPose(pose_rng);
   pose.centre += VisibleRectangle(device.camera, 20.0).center();
-  HandMesh hand = BuildHand(shape, name.side, pose);
+  return {shape, name.side, pose};
+}
+
+ScenePart SkinOf(const PosedHand& hand) {
+  HandMesh built = BuildHand(hand.shape, hand.side, hand.pose);
   ScenePart part;
   part.paint.material = Material::kSkin;
-  part.mesh = std::move(hand.mesh);
-  for (const Eigen::Vector3f& rgb : hand.albedo) part.vertex_albedo.push_back(rgb.y());  // the light is green
+  part.mesh = std::move(built.mesh);
+  for (const Eigen::Vector3f& rgb : built.albedo)
+    part.vertex_albedo.push_back(rgb.y());  // the light is green
   return part;
+}
+
+void AddHand(const VirtualDevice& device, const SceneName& name, std::uint64_t people_seed, Scene& scene) {
+  const std::uint64_t person_seed = NamedSeed("person/" + name.person, people_seed);
+  const PosedHand hand = DrawHand(device, name, person_seed);
+  ScenePart skin = SkinOf(hand);
+  const SceneModifiers& modifiers = name.modifiers;
+  if (Has(modifiers, Modifier::kDark)) Brighten(0.28, skin);
+  if (Has(modifiers, Modifier::kLight)) Brighten(1.25, skin);
+  if (Has(modifiers, Modifier::kNails)) VarnishNails(hand, skin);
+  if (Has(modifiers, Modifier::kWet)) MakeWet(person_seed, skin);
+  if (Has(modifiers, Modifier::kHair)) GrowHair(hand, person_seed, skin);
+  scene.parts.push_back(std::move(skin));
+  if (Has(modifiers, Modifier::kRing)) scene.parts.push_back(Ring(hand));
+  if (Has(modifiers, Modifier::kSleeve)) scene.parts.push_back(Sleeve(hand));
 }
 
 }  // namespace
@@ -152,12 +173,18 @@ Result<SceneName> ParseSceneName(const std::string& text) {
   name.geometry = WithoutRepeat(text);
   name.folder = text;
   std::replace(name.folder.begin(), name.folder.end(), ':', '_');
+  if (const std::size_t plus = name.geometry.find('+'); plus != std::string::npos) {
+    const std::string words = name.geometry.substr(plus + 1);
+    name.geometry.resize(plus);
+    DORSUM_ASSIGN_OR_RETURN(name.modifiers, ParseModifiers(words, name.geometry.starts_with("hand:")));
+  }
   if (name.geometry == "plane") return name;
   if (name.geometry == "plane_tilted") {
     name.kind = Kind::kTiltedPlane;
     return name;
   }
   if (ParseSized(name, "box", Kind::kBox, 1.0, 150.0) ||
+      ParseSized(name, "whitebox", Kind::kWhiteBox, 1.0, 150.0) ||
       ParseSized(name, "cylinder", Kind::kCylinder, 2.0, 60.0) ||
       ParseSized(name, "sphere", Kind::kSphere, 2.0, 60.0) || ParseHand(name)) {
     return name;
@@ -178,7 +205,10 @@ Scene BuildNamedScene(const VirtualDevice& device, const SceneName& name, std::u
       scene.parts.push_back(DrawTiltedPlate(device, rng));
       break;
     case Kind::kBox:
-      scene.parts.push_back(DrawBox(device, name.size_mm, rng));
+      scene.parts.push_back(BrownBox(DrawBox(device, name.size_mm, rng)));
+      break;
+    case Kind::kWhiteBox:
+      scene.parts.push_back(WhiteBox(DrawBox(device, name.size_mm, rng)));
       break;
     case Kind::kCylinder: {
       const Spot spot = DrawSpot(device, name.size_mm, rng);
@@ -189,9 +219,12 @@ Scene BuildNamedScene(const VirtualDevice& device, const SceneName& name, std::u
       scene.parts.push_back(HalfSphere(name.size_mm, DrawSpot(device, 0.5 * name.size_mm, rng).centre));
       break;
     case Kind::kHand:
-      scene.parts.push_back(DrawHand(device, name, people_seed));
+      AddHand(device, name, people_seed, scene);
       break;
   }
+  const double up = Find(name.modifiers, Modifier::kHigh).value_or(0.0);
+  const double aside = Find(name.modifiers, Modifier::kSide).value_or(0.0);
+  if (up != 0.0 || aside != 0.0) MoveObjects({0.0, aside, up}, scene);
   return scene;
 }
 

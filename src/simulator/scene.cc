@@ -152,6 +152,14 @@ ScenePart HalfSphere(double radius_mm, const Eigen::Vector2d& centre_mm) {
   return part;
 }
 
+void MoveObjects(const Eigen::Vector3d& by_mm, Scene& scene) {
+  for (ScenePart& part : scene.parts) {
+    if (!part.is_object) continue;
+    for (Eigen::Vector3d& v : part.mesh.vertices) v += by_mm;
+    part.moved += by_mm;
+  }
+}
+
 TriangleMesh ObjectMesh(const Scene& scene) {
   TriangleMesh all;
   for (const ScenePart& part : scene.parts) {

@@ -27,24 +27,34 @@ enum class Material : std::uint8_t {
 struct Paint {
   Material material = Material::kBackplane;
   double albedo = 0.82;  // share of green light that is reflected, in all directions alike
+  double gloss = 0.0;  // share that is mirrored when light falls straight on, besides: water 0.02, metal 0.6
 };
 
 // Paint at a world point, averaged over a square of side `footprint_mm`, which is what one pixel sees: so
 // printed edges come out without steps.
 using Pattern = std::function<Paint(const Eigen::Vector3d& world, double footprint_mm)>;
+// What thin dark lines leave of the albedo at a point, averaged in the same way.
+using Strands = std::function<double(const Eigen::Vector3d& world, double footprint_mm)>;
 
 struct ScenePart {
   TriangleMesh mesh;  // vertex normals make it look smooth; none: flat faces
   Paint paint;
   double mottle = 0.0;               // amplitude of soft spots in the albedo, as a share of it
   std::vector<float> vertex_albedo;  // one per vertex instead of paint.albedo, or empty
+  std::vector<float> vertex_gloss;   // the same instead of paint.gloss
+  double shininess = 300.0;          // of the gloss: exponent of the highlight's cosine, 1 to 5000
   Pattern pattern;                   // instead of all these, or empty
-  bool is_object = true;             // stands on the backplane: goes into reference.ply
+  Strands strands;                   // hair on top, or empty
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();  // mm: patterns, spots and strands went along
+  bool is_object = true;                            // stands on the backplane: goes into reference.ply
 };
 
 struct Scene {
   std::vector<ScenePart> parts;
 };
+
+// Takes all objects elsewhere, with what is on them.
+void MoveObjects(const Eigen::Vector3d& by_mm, Scene& scene);
 
 // The plane z = 0 of white paper, wider than any picture.
 ScenePart Backplane();

@@ -117,15 +117,17 @@ bool SceneTracer::Blocked(const Eigen::Vector3d& point, const Eigen::Vector3d& f
 
 Paint SceneTracer::PaintAt(const SurfaceHit& hit, double footprint_mm) const {
   const ScenePart& part = scene_.parts[static_cast<std::size_t>(hit.part)];
-  if (part.pattern) return part.pattern(hit.position, footprint_mm);
+  const Eigen::Vector3d at = hit.position - part.moved;
+  if (part.pattern) return part.pattern(at, footprint_mm);
+  const auto interpolated = [&hit](const std::vector<float>& values) {
+    return hit.weights[0] * double{values[hit.face[0]]} + hit.weights[1] * double{values[hit.face[1]]} +
+           hit.weights[2] * double{values[hit.face[2]]};
+  };
   Paint paint = part.paint;
-  if (!part.vertex_albedo.empty()) {
-    const auto& albedo = part.vertex_albedo;
-    paint.albedo = hit.weights[0] * double{albedo[hit.face[0]]} +
-                   hit.weights[1] * double{albedo[hit.face[1]]} +
-                   hit.weights[2] * double{albedo[hit.face[2]]};
-  }
-  if (part.mottle > 0.0) paint.albedo *= 1.0 + part.mottle * Mottle(hit.position);
+  if (!part.vertex_albedo.empty()) paint.albedo = interpolated(part.vertex_albedo);
+  if (!part.vertex_gloss.empty()) paint.gloss = interpolated(part.vertex_gloss);
+  if (part.mottle > 0.0) paint.albedo *= 1.0 + part.mottle * Mottle(at);
+  if (part.strands) paint.albedo *= part.strands(at, footprint_mm);
   return paint;
 }
 

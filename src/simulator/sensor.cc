@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include <opencv2/imgproc.hpp>
+
 #include "base/parallel.h"
 #include "base/random.h"
 
@@ -72,17 +74,75 @@ double TanSquared(const Camera& camera, double u, double v) {
   return x * x + y * y;
 }
 
-std::uint8_t Code(const SensorDesign& sensor, double light, float noise) {
+// What one photosite makes of light, as a share of full scale.
+double Exposed(const SensorDesign& sensor, double light, float noise) {
   double value = light;
   if (sensor.full_well_e > 0.0) {
     const double electrons = light * sensor.full_well_e;
     const double sigma = std::sqrt(electrons + sensor.read_noise_e * sensor.read_noise_e);
     value = (electrons + sigma * static_cast<double>(noise)) / sensor.full_well_e;
   }
-  value = std::clamp(value, 0.0, 1.0);
+  return std::clamp(value, 0.0, 1.0);
+}
+
+std::uint8_t Code(const SensorDesign& sensor, double value) {
   if (sensor.gamma != 1.0) value = std::pow(value, 1.0 / sensor.gamma);
   return static_cast<std::uint8_t>(
       std::lround(255.0 * (sensor.black_level + (1.0 - sensor.black_level) * value)));
+}
+
+using Response = std::array<double, 3>;  // of blue, green and red pixels to green light
+
+cv::Mat DigitiseAllColours(const SensorDesign& sensor, const Response& response, const cv::Mat& light,
+                           std::uint64_t seed, const Context& context) {
+  cv::Mat picture(light.size(), CV_8UC3);
+  ParallelFor(context, 0, light.rows, [&](std::int64_t row) {
+    const auto* from = light.ptr<float>(static_cast<int>(row));
+    auto* to = picture.ptr<cv::Vec3b>(static_cast<int>(row));
+    for (int u = 0; u < light.cols; ++u) {
+      const auto pixel = static_cast<std::uint64_t>(row * light.cols + u);
+      for (int c = 0; c < 3; ++c) {
+        const float noise = PixelNoise(seed, 3 * pixel + static_cast<std::uint64_t>(c));
+        const double seen = static_cast<double>(from[u]) * response[static_cast<std::size_t>(c)];
+        to[u][c] = Code(sensor, Exposed(sensor, seen, noise));
+      }
+    }
+  });
+  return picture;
+}
+
+// As a camera does it: the mosaic is read with more bits than the picture has, the missing colours are
+// interpolated while numbers are still proportional to light, and only then comes gamma.
+cv::Mat DigitiseMosaic(const SensorDesign& sensor, const Response& response, const cv::Mat& light,
+                       std::uint64_t seed, const Context& context) {
+  constexpr int kRawMax = 4095;  // 12 bits
+  cv::Mat raw(light.size(), CV_16U);
+  ParallelFor(context, 0, light.rows, [&](std::int64_t row) {
+    const auto* from = light.ptr<float>(static_cast<int>(row));
+    auto* to = raw.ptr<std::uint16_t>(static_cast<int>(row));
+    for (int u = 0; u < light.cols; ++u) {
+      const auto pixel = static_cast<std::uint64_t>(row * light.cols + u);
+      const std::size_t colour = row % 2 == u % 2 ? (row % 2 == 0 ? 2 : 0) : 1;  // RG above GB
+      const double value =
+          Exposed(sensor, static_cast<double>(from[u]) * response[colour], PixelNoise(seed, pixel));
+      to[u] = static_cast<std::uint16_t>(std::lround(kRawMax * value));
+    }
+  });
+  cv::Mat colour;
+  cv::demosaicing(raw, colour, cv::COLOR_BayerRGGB2BGR);
+  std::array<std::uint8_t, kRawMax + 1> codes{};
+  for (int i = 0; i <= kRawMax; ++i) {
+    codes[static_cast<std::size_t>(i)] = Code(sensor, static_cast<double>(i) / kRawMax);
+  }
+  cv::Mat picture(light.size(), CV_8UC3);
+  ParallelFor(context, 0, light.rows, [&](std::int64_t row) {
+    const auto* from = colour.ptr<cv::Vec3w>(static_cast<int>(row));
+    auto* to = picture.ptr<cv::Vec3b>(static_cast<int>(row));
+    for (int u = 0; u < light.cols; ++u) {
+      for (int c = 0; c < 3; ++c) to[u][c] = codes[std::min<std::size_t>(from[u][c], kRawMax)];
+    }
+  });
+  return picture;
 }
 
 }  // namespace
@@ -131,20 +191,9 @@ void AddSpeckle(const SpeckleDesign& speckle, std::uint64_t seed, cv::Mat& light
 
 cv::Mat Digitise(const SensorDesign& sensor, const cv::Mat& light, std::uint64_t seed,
                  const Context& context) {
-  const std::array<double, 3> response = {sensor.leak_blue, 1.0, sensor.leak_red};
-  cv::Mat picture(light.size(), CV_8UC3);
-  ParallelFor(context, 0, light.rows, [&](std::int64_t row) {
-    const auto* from = light.ptr<float>(static_cast<int>(row));
-    auto* to = picture.ptr<cv::Vec3b>(static_cast<int>(row));
-    for (int u = 0; u < light.cols; ++u) {
-      const auto pixel = static_cast<std::uint64_t>(row * light.cols + u);
-      for (int c = 0; c < 3; ++c) {
-        const float noise = PixelNoise(seed, 3 * pixel + static_cast<std::uint64_t>(c));
-        to[u][c] = Code(sensor, static_cast<double>(from[u]) * response[static_cast<std::size_t>(c)], noise);
-      }
-    }
-  });
-  return picture;
+  const Response response = {sensor.leak_blue, 1.0, sensor.leak_red};
+  return sensor.bayer ? DigitiseMosaic(sensor, response, light, seed, context)
+                      : DigitiseAllColours(sensor, response, light, seed, context);
 }
 
 }  // namespace dorsum

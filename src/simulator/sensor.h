@@ -18,7 +18,8 @@ cv::Mat ThroughLens(const VirtualDevice& device, const cv::Mat& light, const Con
 void AddSpeckle(const SpeckleDesign& speckle, std::uint64_t seed, cv::Mat& light, const Context& context);
 
 // Electrons, noise and numbers: an 8-bit BGR picture of green light in which 1 is full scale. Noise depends
-// on the seed, the channel and the pixel only.
+// on the seed, the channel and the pixel only. With a Bayer mosaic (RGGB, interpolated bilinearly) half of
+// the pixels see the light as green ones do, a quarter each only what leaks into red and blue.
 cv::Mat Digitise(const SensorDesign& sensor, const cv::Mat& light, std::uint64_t seed,
                  const Context& context);
 

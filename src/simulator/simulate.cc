@@ -9,6 +9,7 @@
 #include "captures/device_description.h"
 #include "simulator/calibration_writer.h"
 #include "simulator/capture_writer.h"
+#include "simulator/disturbance.h"
 #include "simulator/named_scene.h"
 #include "simulator/population.h"
 #include "simulator/truth_files.h"
@@ -20,6 +21,24 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPeopleName = "people.json";
+
+Json SceneToJson(const SceneName& name, const std::optional<Motion>& motion) {
+  Json json;
+  json["schema"] = "dorsum.true_scene";
+  json["version"] = 1;
+  json["scene"] = name.folder;
+  for (const SceneModifier& modifier : name.modifiers) {
+    const ModifierRule& rule = RuleOf(modifier.kind);
+    Json entry = {{"name", rule.word}};
+    if (rule.number != ModifierRule::Number::kNone) entry["value"] = modifier.value;
+    json["modifiers"].push_back(entry);
+  }
+  if (motion) {
+    json["motion"] = {{"offset_mm", {motion->offset_mm.x(), motion->offset_mm.y(), motion->offset_mm.z()}},
+                      {"from_laser", motion->from_laser}};
+  }
+  return json;
+}
 
 Status CheckTarget(const fs::path& out_dir, bool overwrite) {
   std::error_code ec;
@@ -57,6 +76,25 @@ Result<std::vector<SceneName>> PlanCaptures(const SimulateOptions& options,
   return plan;
 }
 
+// One capture with its truth; with modifiers, also what they did: scene.json and, where the device itself was
+// another than at its calibration, that device.
+Status WriteOneCapture(const VirtualDevice& device, const SceneName& name, Scene scene, std::uint64_t seed,
+                       const fs::path& root, const Context& context) {
+  const std::uint64_t capture_seed = NamedSeed("capture/" + name.folder, seed);
+  const VirtualDevice now = Disturb(device, name.modifiers, capture_seed);
+  CaptureExtras extras;
+  extras.motion = MotionOf(name.modifiers, static_cast<int>(device.lasers.size()), capture_seed);
+  extras.after = Has(name.modifiers, Modifier::kAfter);
+  const fs::path truth = root / "truth" / name.folder;
+  DORSUM_RETURN_IF_ERROR(WriteCapture(now, std::move(scene), extras, capture_seed,
+                                      root / "captures" / name.folder, truth, context));
+  if (DisturbsDevice(name.modifiers)) {
+    DORSUM_RETURN_IF_ERROR(WriteJson(truth / "device.json", DeviceToJson(now)));
+  }
+  if (name.modifiers.empty()) return {};
+  return WriteJson(truth / "scene.json", SceneToJson(name, extras.motion));
+}
+
 }  // namespace
 
 Result<SimulateReport> Simulate(const SimulateOptions& options, const fs::path& out_dir,
@@ -74,6 +112,9 @@ Result<SimulateReport> Simulate(const SimulateOptions& options, const fs::path& 
   const std::uint64_t seed = NamedSeed(options.seed);
   const std::uint64_t people_seed = options.people_seed.empty() ? seed : NamedSeed(options.people_seed);
   const VirtualDevice device = BuildVirtualDevice(description, seed);
+  for (const SceneName& name : plan) {
+    DORSUM_RETURN_IF_ERROR(CheckLasers(name.modifiers, static_cast<int>(device.lasers.size())));
+  }
 
   DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(out_dir));
   const fs::path& root = staged.path();
@@ -87,9 +128,8 @@ Result<SimulateReport> Simulate(const SimulateOptions& options, const fs::path& 
   for (const SceneName& name : plan) {
     context.Report("capture " + name.folder,
                    static_cast<double>(report.captures) / static_cast<double>(plan.size()));
-    DORSUM_RETURN_IF_ERROR(WriteCapture(
-        device, BuildNamedScene(device, name, seed, people_seed), NamedSeed("capture/" + name.folder, seed),
-        root / "captures" / name.folder, root / "truth" / name.folder, context));
+    Scene scene = BuildNamedScene(device, name, seed, people_seed);
+    DORSUM_RETURN_IF_ERROR(WriteOneCapture(device, name, std::move(scene), seed, root, context));
     ++report.captures;
     report.capture_names.push_back(name.folder);
   }

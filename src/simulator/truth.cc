@@ -132,16 +132,16 @@ Result<std::vector<TrueStripePoint>> TrueStripes(const VirtualDevice& device, co
   return all;
 }
 
-Status WriteTruth(const VirtualDevice& device, const Stage& stage, const std::filesystem::path& dir,
-                  const Context& context) {
+Status WriteSurfaceTruth(const Stage& stage, const std::filesystem::path& dir) {
   DORSUM_RETURN_IF_ERROR(WriteHeights(stage.view, dir / "height.png"));
   DORSUM_RETURN_IF_ERROR(WriteMaterials(stage.view, dir / "material.png"));
-  DORSUM_RETURN_IF_ERROR(WriteReferencePly(ObjectMesh(stage.tracer.scene()), dir / "reference.ply"));
-  for (int k = 0; k < static_cast<int>(device.lasers.size()); ++k) {
-    DORSUM_ASSIGN_OR_RETURN(const auto points, TrueStripes(device, stage, k, context));
-    DORSUM_RETURN_IF_ERROR(WriteStripes(points, dir / ("stripes" + std::to_string(k) + ".csv.gz")));
-  }
-  return {};
+  return WriteReferencePly(ObjectMesh(stage.tracer.scene()), dir / "reference.ply");
+}
+
+Status WriteStripeTruth(const VirtualDevice& device, const Stage& stage, int laser,
+                        const std::filesystem::path& dir, const Context& context) {
+  DORSUM_ASSIGN_OR_RETURN(const auto points, TrueStripes(device, stage, laser, context));
+  return WriteStripes(points, dir / ("stripes" + std::to_string(laser) + ".csv.gz"));
 }
 
 }  // namespace dorsum

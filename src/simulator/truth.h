@@ -25,8 +25,10 @@ struct TrueStripePoint {
 Result<std::vector<TrueStripePoint>> TrueStripes(const VirtualDevice& device, const Stage& stage, int laser,
                                                  const Context& context);
 
-// The truth folder of a capture: height.png, material.png, stripesK.csv.gz and reference.ply.
-Status WriteTruth(const VirtualDevice& device, const Stage& stage, const std::filesystem::path& dir,
-                  const Context& context);
+// The truth folder of a capture: height.png, material.png and reference.ply; and stripesK.csv.gz of each
+// laser.
+Status WriteSurfaceTruth(const Stage& stage, const std::filesystem::path& dir);
+Status WriteStripeTruth(const VirtualDevice& device, const Stage& stage, int laser,
+                        const std::filesystem::path& dir, const Context& context);
 
 }  // namespace dorsum

@@ -106,7 +106,15 @@ Status WriteReferencePly(const TriangleMesh& mesh, const std::filesystem::path& 
   return WriteFile(path, out + faces);
 }
 
-Status WritePicture(const CameraDesign& camera, const cv::Mat& picture, const std::filesystem::path& stem) {
+Status WritePicture(const CameraDesign& camera, const cv::Mat& original, const std::filesystem::path& stem) {
+  cv::Mat picture = original;
+  if (camera.stream_jpeg_quality > 0) {
+    std::vector<unsigned char> stream;
+    if (!cv::imencode(".jpg", original, stream, {cv::IMWRITE_JPEG_QUALITY, camera.stream_jpeg_quality})) {
+      return Error{ErrorCode::kInternal, "cannot encode " + stem.string()};
+    }
+    picture = cv::imdecode(stream, cv::IMREAD_COLOR);
+  }
   if (camera.format == "png") {
     return WriteEncoded(picture, ".png", {cv::IMWRITE_PNG_COMPRESSION, 3}, stem.string() + ".png");
   }

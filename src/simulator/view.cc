@@ -43,6 +43,8 @@ SurfaceSample SampleAt(const Camera& camera, const SceneTracer& tracer, const Ei
   sample.normal = hit->normal.cast<float>();
   sample.face_normal = hit->face_normal.cast<float>();
   sample.albedo = static_cast<float>(paint.albedo);
+  sample.gloss = static_cast<float>(paint.gloss);
+  sample.shininess = static_cast<float>(tracer.scene().parts[static_cast<std::size_t>(hit->part)].shininess);
   sample.part = static_cast<std::int16_t>(hit->part);
   sample.material = paint.material;
   return sample;
@@ -52,6 +54,7 @@ Result<View> TraceView(const Camera& camera, const SceneTracer& tracer, const Co
   View view;
   view.width = camera.width;
   view.height = camera.height;
+  view.eye = camera.Center();
   const auto columns = static_cast<std::size_t>(camera.width), rows = static_cast<std::size_t>(camera.height);
   view.centre.resize(columns * rows);
   ParallelFor(context, 0, camera.height, [&](std::int64_t row) {

@@ -19,6 +19,8 @@ struct SurfaceSample {
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();       // for shading
   Eigen::Vector3f face_normal = Eigen::Vector3f::UnitZ();  // for shadow rays
   float albedo = 0.0F;
+  float gloss = 0.0F;  // Paint::gloss and ScenePart::shininess
+  float shininess = 0.0F;
   std::int16_t part = -1;  // of the scene; -1: the ray left the scene
   Material material = Material::kBackplane;
 };
@@ -35,8 +37,9 @@ struct View {
   };
 
   int width = 0, height = 0;
-  std::vector<SurfaceSample> centre;  // row by row
-  std::vector<FinePixel> fine;        // by ascending pixel
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();  // the camera's centre, for highlights
+  std::vector<SurfaceSample> centre;              // row by row
+  std::vector<FinePixel> fine;                    // by ascending pixel
 
   const SurfaceSample& At(int column, int row) const {
     return centre[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

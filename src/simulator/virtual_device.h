@@ -12,6 +12,13 @@
 
 namespace dorsum {
 
+// Dust on a grating: rays around one direction cosine along the fan are held back, of all orders alike.
+struct DirtySpot {
+  double beta = 0.0;          // its middle
+  double half_width = 0.02;   // in beta, to where half of the loss is left
+  double transmission = 0.1;  // in its middle
+};
+
 struct VirtualLaser {
   DiffractedFan fan;
   std::vector<double> efficiency;  // of orders -M .. M, the central one 1
@@ -19,6 +26,7 @@ struct VirtualLaser {
   double half_angle = 0.0;         // rad
   double power = 0.0;              // see LaserIrradiance()
   double relative_power = 0.0;
+  std::vector<DirtySpot> dirt;
   Eigen::Vector3d position_error_mm = Eigen::Vector3d::Zero();  // for the record: what mounting got wrong
   Eigen::Vector3d rotation_error_rad = Eigen::Vector3d::Zero();
 

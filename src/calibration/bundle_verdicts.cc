@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "calibration/bundle_verdicts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace dorsum {
+namespace {
+
+std::string Fixed(double value, int decimals) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+double Sd(const Eigen::MatrixXd& covariance, int index) {
+  return covariance.rows() > index ? std::sqrt(std::max(0.0, covariance(index, index))) : 0.0;
+}
+
+PartReport JudgeCamera(const BundleCalibration& c, const BundleVerdictOptions& o) {
+  const std::vector<double>& views = c.view_rms_px;
+  double square = 0.0;
+  for (const double rms : views) square += rms * rms;
+  const double rms = std::sqrt(square / static_cast<double>(views.size()));
+  const auto worst = std::max_element(views.begin(), views.end());
+  const Camera& camera = c.device.camera;
+  PartReport report;
+  report.part = "camera";
+  report.figures = {{"views", static_cast<double>(views.size()), ""},
+                    {"reprojection error", rms, "px"},
+                    {"worst view", *worst, "px"},
+                    {"focal length", camera.fx, "px"},
+                    {"focal length, uncertainty", Sd(c.solution.covariance, 0), "px"},
+                    {"principal point, uncertainty",
+                     std::hypot(Sd(c.solution.covariance, 2), Sd(c.solution.covariance, 3)), "px"},
+                    {"camera height", camera.Center().z(), "mm"}};
+  if (rms <= o.good_rms_px) {
+    report.verdict = "the camera model explains all chessboards";
+  } else if (rms <= o.doubtful_rms_px) {
+    report.grade = Grade::kDoubtful;
+    report.verdict = "the corners do not fit well, worst in " +
+                     c.data.boards[static_cast<std::size_t>(worst - views.begin())].name +
+                     "; is the board flat, sharp and still?";
+  } else {
+    report.grade = Grade::kBad;
+    report.verdict =
+        "the corners do not fit; capture the chessboards again with a flat board and a sharp picture";
+  }
+  return report;
+}
+
+struct Scatter {
+  double n = 0.0, sum = 0.0, square = 0.0;
+  void Add(double value) {
+    n += 1.0;
+    sum += value;
+    square += value * value;
+  }
+  double Mean() const { return n > 0.0 ? sum / n : 0.0; }
+  double Rms() const { return n > 0.0 ? std::sqrt(square / n) : 0.0; }
+};
+
+std::string FormSentence(const DiffractedFan& fan, double bow_sd) {
+  const double flat = std::sin(fan.tilt), bow = fan.bow;
+  const double clear = std::max(3.0 * bow_sd, 5e-4);
+  const std::string lean = "the fan leans by " + Fixed(fan.tilt * 57.29578, 2) + " degrees";
+  if (std::abs(flat) <= 2.0 * clear) return lean + ", too little to tell its form";
+  if (std::abs(bow - flat) <= clear && std::abs(bow - flat) <= 0.3 * std::abs(flat))
+    return lean + " and is flat, as it leaves a laser";
+  if (std::abs(bow) <= clear && std::abs(bow) <= 0.3 * std::abs(flat))
+    return lean + " and has one cosine all along (a cone before the grating)";
+  return lean + " and is bowed, neither flat nor a cone";
+}
+
+PartReport JudgeLaser(const BundleCalibration& c, std::size_t index, const BundleVerdictOptions& o) {
+  const LaserGeometry& laser = c.device.lasers[index];
+  const DiffractedFan& fan = *laser.fan;
+  const int first = kLensSize + kPoseSize + kFanSize * static_cast<int>(index);
+  const auto sd = [&](int parameter) { return Sd(c.solution.covariance, first + parameter); };
+  Scatter all;
+  for (const SheetResidual& r : c.residuals) {
+    if (r.laser == laser.laser && std::abs(r.miss_mm) < 0.3) all.Add(r.miss_mm);
+  }
+  PartReport report;
+  report.part = "laser " + std::to_string(laser.laser);
+  report.figures = {{"stripe points", all.n, ""},
+                    {"sheet residual", all.Rms(), "mm"},
+                    {"height uncertainty by calibration", laser.residual_mm, "mm"},
+                    {"grating x", fan.origin.x(), "mm"},
+                    {"grating x, uncertainty", sd(kFanOrigin), "mm"},
+                    {"grating height", fan.origin.z(), "mm"},
+                    {"grating height, uncertainty", sd(kFanOrigin + 2), "mm"},
+                    {"order step", fan.step, ""},
+                    {"order step, uncertainty", sd(kFanStep), ""},
+                    {"fan distance", fan.fan_distance_mm, "mm"},
+                    {"fan distance, uncertainty", sd(kFanDistance), "mm"},
+                    {"fan tilt", fan.tilt, "rad"},
+                    {"fan tilt, uncertainty", sd(kFanAlpha), "rad"},
+                    {"fan bow", fan.bow, ""},
+                    {"fan bow, uncertainty", sd(kFanBow), ""}};
+  report.verdict = "cones explain all stripes; " + FormSentence(fan, sd(kFanBow));
+  (void)o;
+  return report;
+}
+
+}  // namespace
+
+std::vector<double> ViewErrors(const BundleData& data, const BundleState& state) {
+  const Camera camera = state.GetCamera();
+  Eigen::Vector2d half(1e-9, 1e-9);
+  for (const auto& p : data.board_points) half = half.cwiseMax(p.head<2>().cwiseAbs());
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < data.boards.size(); ++i) {
+    const Rigid3 world_from_board = RigidFromPose(state.world_from_board[i]);
+    double square = 0.0;
+    for (std::size_t k = 0; k < data.board_points.size(); ++k) {
+      Eigen::Vector3d p = data.board_points[k];
+      const Eigen::Vector2d share = p.head<2>().cwiseQuotient(half);
+      p.z() += state.board_bow[0] * share.x() * share.x() + state.board_bow[1] * share.x() * share.y() +
+               state.board_bow[2] * share.y() * share.y();
+      square += (Project(camera, world_from_board * p) - data.boards[i].corners[k]).squaredNorm();
+    }
+    errors.push_back(std::sqrt(square / static_cast<double>(data.board_points.size())));
+  }
+  return errors;
+}
+
+std::vector<PartReport> JudgeBundle(const BundleCalibration& c, const BundleVerdictOptions& options) {
+  std::vector<PartReport> parts = {JudgeCamera(c, options)};
+  for (std::size_t i = 0; i < c.device.lasers.size(); ++i) parts.push_back(JudgeLaser(c, i, options));
+  return parts;
+}
+
+}  // namespace dorsum

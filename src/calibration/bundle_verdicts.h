@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "calibration/bundle_calibration.h"
+
+namespace dorsum {
+
+// What each part says of itself: camera, chessboard, planes of known height, and each laser with its sheets.
+std::vector<PartReport> JudgeBundle(const BundleCalibration& calibration,
+                                    const BundleVerdictOptions& options);
+
+// Root mean square distance of each board view's corners from where the solution sees them, px.
+std::vector<double> ViewErrors(const BundleData& data, const BundleState& state);
+
+}  // namespace dorsum

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "calibration/sheet_assignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dorsum {
+namespace {
+
+struct Fit {
+  int plane = 0, order = 0;
+  double miss = 1e9;  // median, orders
+};
+
+class Assigner {
+ public:
+  Assigner(const BundleState& state, const SheetAssignmentOptions& options)
+      : state_(state), options_(options) {}
+
+  void AddPicture(const SheetPicture& picture, int source, std::vector<SheetPoint>* out) const {
+    for (const StripeSegment& segment : picture.stripes.segments) {
+      if (segment.count <= 2 * options_.end_rows) continue;
+      std::vector<Fit> fits;
+      for (const int plane : picture.planes) fits.push_back(FitPlane(picture, segment, plane));
+      const Fit* chosen = Choose(fits, picture.planes.front() == 1);
+      if (chosen == nullptr) continue;
+      AddPoints(picture, segment, source, *chosen, out);
+    }
+  }
+
+ private:
+  double Order(int laser, int plane, double u, double v) const {
+    SheetPoint p;
+    p.laser = laser;
+    p.plane = plane;
+    p.u = u;
+    p.v = v;
+    return OrderMiss(state_, p);
+  }
+
+  Fit FitPlane(const SheetPicture& picture, const StripeSegment& segment, int plane) const {
+    Fit fit;
+    fit.plane = plane;
+    std::vector<double> orders;
+    const int step = std::max(1, segment.count / 40);
+    for (std::int32_t i = segment.first; i < segment.first + segment.count; i += step) {
+      const StripePoint& p = picture.stripes.points[static_cast<std::size_t>(i)];
+      orders.push_back(Order(picture.laser, plane, p.u, p.v));
+    }
+    const auto middle = orders.begin() + static_cast<std::ptrdiff_t>(orders.size() / 2);
+    std::nth_element(orders.begin(), middle, orders.end());
+    if (!std::isfinite(*middle)) return fit;
+    fit.order = static_cast<int>(std::lround(*middle));
+    for (double& o : orders) o = std::abs(o - fit.order);
+    std::nth_element(orders.begin(), middle, orders.end());
+    fit.miss = *middle;
+    return fit;
+  }
+
+  // The calibration object is put so that it fills the picture; a box never does.
+  const Fit* Choose(const std::vector<Fit>& fits, bool expected_fills) const {
+    const Fit* best = &fits.front();
+    const Fit* other = nullptr;
+    for (std::size_t i = 1; i < fits.size(); ++i) {
+      if (fits[i].miss < best->miss) {
+        other = best;
+        best = &fits[i];
+      } else if (other == nullptr || fits[i].miss < other->miss) {
+        other = &fits[i];
+      }
+    }
+    const bool clear = other == nullptr || other->miss > options_.clear * best->miss + 0.02;
+    if (!clear && expected_fills) best = &fits.front();
+    if (best->miss > options_.tolerance || (!clear && !expected_fills)) return nullptr;
+    return best;
+  }
+
+  void AddPoints(const SheetPicture& picture, const StripeSegment& segment, int source, const Fit& fit,
+                 std::vector<SheetPoint>* out) const {
+    const std::int32_t end = segment.first + segment.count - options_.end_rows;
+    for (std::int32_t i = segment.first + options_.end_rows; i < end; i += options_.every_rows) {
+      const StripePoint& p = picture.stripes.points[static_cast<std::size_t>(i)];
+      SheetPoint point;
+      point.laser = picture.laser;
+      point.source = source;
+      point.plane = fit.plane;
+      point.order = fit.order;
+      point.u = p.u;
+      point.v = p.v;
+      point.sd_px = p.sd_px;
+      if (!(std::abs(OrderMiss(state_, point)) <= options_.tolerance)) continue;
+      point.orders_per_px = std::abs(Order(picture.laser, fit.plane, p.u + 0.5, p.v) -
+                                     Order(picture.laser, fit.plane, p.u - 0.5, p.v));
+      const auto x_at = [&](double u) {
+        return bundle::PointOnPlane<double>(state_.lens.value.data(), state_.camera_from_world.start,
+                                            state_.camera_from_world.value.data(),
+                                            state_.planes[static_cast<std::size_t>(fit.plane)].data(),
+                                            {u, p.v})
+            .x();
+      };
+      point.mm_per_px = std::abs(x_at(p.u + 0.5) - x_at(p.u - 0.5));
+      if (point.orders_per_px > 0.0 && std::isfinite(point.orders_per_px)) out->push_back(point);
+    }
+  }
+
+  const BundleState& state_;
+  const SheetAssignmentOptions& options_;
+};
+
+}  // namespace
+
+std::vector<SheetPoint> AssignOrders(const std::vector<SheetPicture>& pictures, const BundleState& state,
+                                     const SheetAssignmentOptions& options) {
+  const Assigner assigner(state, options);
+  std::vector<SheetPoint> points;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    assigner.AddPicture(pictures[i], static_cast<int>(i), &points);
+  }
+  return points;
+}
+
+}  // namespace dorsum

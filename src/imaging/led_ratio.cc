@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "imaging/led_ratio.h"
+
+#include <opencv2/imgproc.hpp>
+
+namespace dorsum {
+namespace {
+
+constexpr double kDarkest = 6.0;  // grey values; below it the ratio is noise
+
+cv::Mat Green(const cv::Mat& image, int scale) {
+  cv::Mat green, out;
+  cv::extractChannel(image, green, 1);
+  if (scale == 2) {
+    cv::copyMakeBorder(green, green, 0, green.rows % 2, 0, green.cols % 2, cv::BORDER_REPLICATE);
+    green.convertTo(green, CV_16U, 16.0);  // the mean of four keeps its fraction
+    cv::resize(green, green, {}, 0.5, 0.5, cv::INTER_AREA);
+    green.convertTo(out, CV_32F, 1.0 / 16.0);
+  } else {
+    green.convertTo(out, CV_32F);
+  }
+  cv::GaussianBlur(out, out, {3, 3}, 0.0, 0.0, cv::BORDER_REPLICATE);
+  return out;
+}
+
+}  // namespace
+
+cv::Mat LedRatio(const cv::Mat& background, const cv::Mat& hand, int scale) {
+  cv::Mat before = Green(background, scale);
+  before = cv::max(before, kDarkest);
+  cv::Mat ratio = Green(hand, scale) / before;
+  cv::sqrt(ratio, ratio);
+  return ratio;
+}
+
+}  // namespace dorsum

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "imaging/object_mask.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <opencv2/imgproc.hpp>
+
+#include "imaging/band_cut.h"
+#include "imaging/led_ratio.h"
+#include "imaging/seed_light.h"
+#include "imaging/seed_map.h"
+#include "imaging/stage_sink.h"
+
+namespace dorsum {
+namespace {
+
+constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
+
+// Pixels near the outline become unknown, the rest stays as it is.
+cv::Mat OpenOutline(const cv::Mat& object, int reach_px) {
+  const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
+  cv::Mat grown, shrunk;
+  cv::dilate(object, grown, around);
+  cv::erode(object, shrunk, around);
+  cv::Mat known(object.size(), CV_8UC1, cv::Scalar(kUnknownPixel));
+  known.setTo(kObjectPixel, shrunk);
+  known.setTo(kBackplanePixel, grown == 0);
+  return known;
+}
+
+// Drops pieces of `mask` == `value` that hold fewer than `min_seeds` seeds of their kind and are smaller
+// than `min_area` px.
+void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area, cv::Mat* mask) {
+  cv::Mat labels, stats, centroids;
+  const cv::Mat pieces = sign > 0.0F ? *mask != 0 : *mask == 0;
+  const int count = cv::connectedComponentsWithStats(pieces, labels, stats, centroids, 4, CV_32S);
+  std::vector<int> seeds(static_cast<std::size_t>(count), 0);
+  for (int v = 0; v < votes.rows; ++v) {
+    for (int u = 0; u < votes.cols; ++u) {
+      if (sign * votes.at<float>(v, u) > 0.0F) ++seeds[static_cast<std::size_t>(labels.at<int>(v, u))];
+    }
+  }
+  for (int i = 1; i < count; ++i) {
+    if (seeds[static_cast<std::size_t>(i)] >= min_seeds || stats.at<int>(i, cv::CC_STAT_AREA) >= min_area)
+      continue;
+    mask->setTo(sign > 0.0F ? 0 : 255, labels == i);
+  }
+}
+
+}  // namespace
+
+Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
+                                  const std::vector<ObjectSeed>& seeds, const ObjectMaskOptions& options,
+                                  const Context& context) {
+  if (background.type() != CV_8UC3 || hand.type() != CV_8UC3 || background.size() != hand.size())
+    throw std::logic_error("RefineObjectMask: two CV_8UC3 pictures of one size are needed");
+  const auto on_object = std::count_if(seeds.begin(), seeds.end(), [](const auto& s) { return s.object; });
+  if (on_object < options.min_seeds) return ExtractHandMask(background, hand, options.picture_only, context);
+
+  BandCut coarse;
+  coarse.light = LedRatio(background, hand, 2);
+  const SeedMap map = MapSeeds(seeds, coarse.light, 2);
+  coarse.known = map.known;
+  coarse.texture = UsualTexture(coarse.light, map.known);
+  coarse.pull = options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
+  cv::add(coarse.pull, cv::Scalar(kBridgePull), coarse.pull, map.bridge);
+  cv::Mat object = CutInBand(coarse);
+  DropPieces(map.votes, 1.0F, 5, options.min_area_share * static_cast<double>(object.total()), &object);
+  DropPieces(map.votes, -1.0F, 5, 40, &object);
+  Sink(context, "mask/coarse", object);
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+
+  BandCut fine;
+  fine.light = LedRatio(background, hand, 1);
+  cv::resize(object, object, {object.cols * 2, object.rows * 2}, 0, 0, cv::INTER_NEAREST);
+  fine.known = OpenOutline(object(cv::Rect({0, 0}, hand.size())), 3);
+  cv::Mat texture;
+  cv::resize(coarse.texture, texture, {object.cols, object.rows});
+  fine.texture = texture(cv::Rect({0, 0}, hand.size())) * 0.7;
+  fine.pull = options.seed_strength * MapSeeds(seeds, fine.light, 1).votes;
+
+  HandMask result;
+  result.mask = CutInBand(fine);
+  result.area_share =
+      static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
+  Sink(context, "mask/mask", result.mask);
+  return result;
+}
+
+}  // namespace dorsum

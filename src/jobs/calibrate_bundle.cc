@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jobs/calibrate_bundle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dorsum {
+namespace {
+
+// The classic chain for all lasers together, or, where one of them defeats it, for each alone.
+ClassicCalibration ClassicBeside(const CalibrationSeries& series, const CameraCalibration& camera,
+                                 const CalibrateOptions& options, const Context& context,
+                                 std::vector<std::string>* warnings) {
+  Result<ClassicCalibration> all = CalibrateClassicLasers(series, camera, options.classic, context);
+  if (all.ok()) return std::move(*all);
+  ClassicCalibration out;
+  out.camera = camera;
+  out.device.camera = camera.camera;
+  for (const int laser : series.lasers) {
+    if (context.IsCancelled()) break;
+    CalibrationSeries one = series;
+    one.lasers = {laser};
+    Result<ClassicCalibration> alone = CalibrateClassicLasers(one, camera, options.classic, context);
+    if (!alone.ok()) {
+      warnings->push_back("the document's method finds no sheets for laser " + std::to_string(laser) + " (" +
+                          alone.error().message + "); only cone sheets are there for it");
+      continue;
+    }
+    out.lasers.push_back(std::move(alone->lasers.front()));
+    out.device.lasers.push_back(std::move(alone->device.lasers.front()));
+  }
+  return out;
+}
+
+// The classic chain counts from its own central stripe; here both must count from the same one.
+int OrderShift(const LaserGeometry& classic, const DiffractedFan& fan) {
+  std::vector<double> shifts;
+  for (const PlaneSheet& sheet : classic.planes) {
+    const double slope = sheet.plane.normal.x();
+    if (std::abs(slope) < 1e-6) continue;
+    const auto at = Locate(fan, {sheet.plane.offset / slope, 0.0, 0.0});
+    if (at) shifts.push_back(at->Order(fan) - sheet.order);
+  }
+  if (shifts.empty()) return 0;
+  const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
+  std::nth_element(shifts.begin(), middle, shifts.end());
+  return static_cast<int>(std::lround(*middle));
+}
+
+void AddClassicSheets(const LaserGeometry& classic, LaserGeometry* laser) {
+  const int shift = OrderShift(classic, *laser->fan);
+  laser->grating = classic.grating;
+  laser->planes = classic.planes;
+  for (PlaneSheet& sheet : laser->planes) sheet.order += shift;
+  laser->reference = classic.reference;
+  for (ReferenceStripe& r : laser->reference) r.order += shift;
+}
+
+}  // namespace
+
+Status CalibrateByBundle(const CalibrationSeries& series, const CalibrateOptions& options,
+                         const Context& context, CalibrationRun* run) {
+  context.Report("chessboards", 0.0);
+  DORSUM_ASSIGN_OR_RETURN(const CameraCalibration camera,
+                          CalibrateCamera(series, options.classic.camera, context));
+  DORSUM_ASSIGN_OR_RETURN(BundleCalibration bundle, CalibrateBundle(series, camera, options.bundle, context));
+  Calibration& c = run->calibration;
+  CameraCalibration refined = camera;
+  refined.camera = bundle.device.camera;
+  refined.view_rms_px = bundle.view_rms_px;
+  c.warnings.insert(c.warnings.end(), bundle.warnings.begin(), bundle.warnings.end());
+  run->classic = ClassicBeside(series, refined, options, context, &c.warnings);
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  c.device = bundle.device;
+  for (LaserGeometry& laser : c.device.lasers) {
+    if (const LaserGeometry* classic = run->classic.device.FindLaser(laser.laser))
+      AddClassicSheets(*classic, &laser);
+  }
+  c.parts = bundle.parts;
+  run->bundle = std::move(bundle);
+  return {};
+}
+
+}  // namespace dorsum

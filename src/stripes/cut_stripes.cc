@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/cut_stripes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "stripes/segment_linking.h"
+
+namespace dorsum {
+namespace {
+
+constexpr int kReach = 12;  // columns to either side of the peak
+constexpr std::size_t kColumns = 2 * kReach + 1;
+
+// Where the averaged profile's peak is, from the points' own column, and how far from it the profile has
+// fallen to half, px.
+struct Flanks {
+  double peak = 0.0, left = 0.0, right = 0.0;
+};
+
+// Grey values of one row around u, between pixels.
+void AddProfile(const std::uint8_t* row, int cols, double u, double sign, std::vector<double>* sum) {
+  const double base = std::floor(u);
+  const double share = u - base;
+  const int first = static_cast<int>(base) - kReach;
+  for (int i = 0; i < static_cast<int>(kColumns); ++i) {
+    const double a = row[std::clamp(first + i, 0, cols - 1)];
+    const double b = row[std::clamp(first + i + 1, 0, cols - 1)];
+    (*sum)[static_cast<std::size_t>(i)] += sign * (a + share * (b - a));
+  }
+}
+
+double FallToHalf(const std::vector<double>& sum, std::size_t peak, int step) {
+  // The background beside a stripe's foot, no further away than the next stripe's valley.
+  double low = sum[peak];
+  for (int i = 1; i <= kReach; ++i) {
+    const int at = static_cast<int>(peak) + step * i;
+    if (at < 0 || at >= static_cast<int>(kColumns)) break;
+    low = std::min(low, sum[static_cast<std::size_t>(at)]);
+  }
+  const double half = 0.5 * (sum[peak] + low);
+  double before = sum[peak];
+  for (int i = 1; i <= kReach; ++i) {
+    const int at = static_cast<int>(peak) + step * i;
+    if (at < 0 || at >= static_cast<int>(kColumns)) break;
+    const double here = sum[static_cast<std::size_t>(at)];
+    if (here <= half) return i - 1.0 + (before - half) / std::max(1e-9, before - here);
+    before = here;
+  }
+  return kReach;
+}
+
+Flanks FlanksOf(const std::vector<double>& sum) {
+  auto peak = static_cast<std::size_t>(kReach);
+  for (std::size_t i = kReach - 2; i <= kReach + 2; ++i) peak = sum[i] > sum[peak] ? i : peak;
+  const double curve = sum[peak - 1] - 2.0 * sum[peak] + sum[peak + 1];
+  const double shift =
+      curve < 0.0 ? std::clamp(0.5 * (sum[peak - 1] - sum[peak + 1]) / curve, -0.5, 0.5) : 0.0;
+  Flanks flanks;
+  flanks.peak = static_cast<double>(peak) - kReach + shift;
+  flanks.left = FallToHalf(sum, peak, -1) + shift;
+  flanks.right = FallToHalf(sum, peak, 1) - shift;
+  return flanks;
+}
+
+std::vector<Flanks> FlanksAlong(const cv::Mat& green, const std::vector<StripePoint>& points, int half_rows) {
+  const auto n = static_cast<std::ptrdiff_t>(points.size());
+  std::vector<Flanks> flanks(points.size());
+  std::vector<double> sum(kColumns, 0.0);
+  const auto add = [&](std::ptrdiff_t i, double sign) {
+    const StripePoint& p = points[static_cast<std::size_t>(i)];
+    AddProfile(green.ptr<std::uint8_t>(static_cast<int>(p.v)), green.cols, static_cast<double>(p.u), sign,
+               &sum);
+  };
+  for (std::ptrdiff_t i = 0; i < std::min<std::ptrdiff_t>(half_rows, n); ++i) add(i, 1.0);
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (i + half_rows < n) add(i + half_rows, 1.0);
+    if (i - half_rows - 1 >= 0) add(i - half_rows - 1, -1.0);
+    flanks[static_cast<std::size_t>(i)] = FlanksOf(sum);
+  }
+  return flanks;
+}
+
+double MedianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Width at half the peak where the segment is whole: the upper half of the rows decides, since the rest may
+// be cut.
+double WholeWidth(const std::vector<Flanks>& flanks, double otherwise) {
+  if (flanks.size() < 40) return otherwise;
+  std::vector<double> widths;
+  for (const Flanks& f : flanks) widths.push_back(f.left + f.right);
+  return MedianOf(std::move(widths));
+}
+
+// -1: the left flank is cut; 1: the right; 0: none.
+std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const CutStripeOptions& options) {
+  const auto n = static_cast<std::ptrdiff_t>(flanks.size());
+  std::vector<int> cut(flanks.size(), 0);
+  const auto narrow = [&](std::ptrdiff_t i) {
+    const Flanks& f = flanks[static_cast<std::size_t>(i)];
+    return (f.left + f.right) / whole;
+  };
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Flanks& f = flanks[static_cast<std::size_t>(i)];
+    if (narrow(i) > options.max_width_ratio) continue;
+    const int side = f.right < options.max_flank_ratio * f.left   ? 1
+                     : f.left < options.max_flank_ratio * f.right ? -1
+                                                                  : 0;
+    if (side == 0) continue;
+    for (const std::ptrdiff_t step : {-1, 1}) {
+      for (std::ptrdiff_t k = i; k >= 0 && k < n && (k == i || cut[static_cast<std::size_t>(k)] == 0);
+           k += step) {
+        if (narrow(k) > options.whole_width_ratio) break;
+        cut[static_cast<std::size_t>(k)] = side;
+      }
+    }
+  }
+  return cut;
+}
+
+// Fits the intact flank of a cut row; false when the centre is not on the surface.
+bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, const NoiseModel& noise,
+               const ProfileFitOptions& fit_options, const CutStripeOptions& options, StripePoint* point) {
+  const double u = static_cast<double>(point->u) + flanks.peak;
+  const double edge = side > 0 ? u + flanks.right : u - flanks.left;
+  ProfileStart start;
+  start.u = side > 0 ? edge - 0.5 : edge + 0.5;
+  start.width = width;
+  start.hold_width = true;
+  start.first = side > 0 ? 0 : static_cast<int>(std::ceil(edge + options.margin_px));
+  start.last = side > 0 ? static_cast<int>(std::floor(edge - options.margin_px)) : green.cols - 1;
+  const auto* row = green.ptr<std::uint8_t>(static_cast<int>(point->v));
+  const ProfileFit fit = FitProfile(row, start, noise, fit_options);
+  if (!fit.ok) return false;
+  const double inside = side > 0 ? edge - fit.u : fit.u - edge;
+  if (inside < options.min_inside_px) return false;
+  point->u = static_cast<float>(fit.u);
+  point->sd_px = static_cast<float>(fit.sd_u);
+  point->peak = static_cast<float>(std::min(255.0, fit.amplitude));
+  point->width = static_cast<float>(width);
+  return true;
+}
+
+// Where a stripe leaves the surface sideways, the light that is left beyond is no stripe either: from two bad
+// rows on, everything is bad up to the segment's end, as long as it is cut.
+void ForgetBeyond(const std::vector<int>& cut, std::vector<char>* good) {
+  const std::size_t n = cut.size();
+  std::size_t run = 0;
+  while (run < n && cut[run] != 0) ++run;
+  bool gone = false;
+  for (std::size_t i = run; i-- > 0;) {
+    gone = gone || ((*good)[i] == 0 && (i == 0 || (*good)[i - 1] == 0));
+    if (gone) (*good)[i] = 0;
+  }
+  run = n;
+  while (run > 0 && cut[run - 1] != 0) --run;
+  gone = false;
+  for (std::size_t i = run; i < n; ++i) {
+    gone = gone || ((*good)[i] == 0 && (i + 1 == n || (*good)[i + 1] == 0));
+    if (gone) (*good)[i] = 0;
+  }
+}
+
+}  // namespace
+
+LaserStripes MendCutStripes(const cv::Mat& green, const LaserStripes& stripes, const NoiseModel& noise,
+                            double usual_width_px, const ProfileFitOptions& fit,
+                            const CutStripeOptions& options, const Context& context) {
+  std::vector<std::vector<StripePoint>> segments(stripes.segments.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(segments.size()), [&](std::int64_t n) {
+    const StripeSegment& s = stripes.segments[static_cast<std::size_t>(n)];
+    const auto first = stripes.points.begin() + s.first;
+    const std::vector<StripePoint> points(first, first + s.count);
+    const std::vector<Flanks> flanks = FlanksAlong(green, points, options.half_rows);
+    const double whole = WholeWidth(flanks, 2.3548 * usual_width_px);
+    const std::vector<int> cut = CutSides(flanks, whole, options);
+    const double width = whole / 2.3548;
+    std::vector<StripePoint>& kept = segments[static_cast<std::size_t>(n)];
+    std::vector<char> good(points.size(), 1);
+    std::vector<StripePoint> mended = points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (cut[i] == 0) continue;
+      good[i] = MendPoint(green, flanks[i], cut[i], width, noise, fit, options, &mended[i]) ? 1 : 0;
+    }
+    ForgetBeyond(cut, &good);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (good[i] != 0) kept.push_back(mended[i]);
+    }
+  });
+  return AssembleStripes(segments, stripes.laser);
+}
+
+}  // namespace dorsum

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/joint_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace dorsum {
+namespace {
+
+// A sample of a piece, in the list of its row.
+struct Here {
+  float u = 0.0F;
+  int piece = 0, sample = 0;
+};
+using Rows = std::map<int, std::vector<Here>>;
+
+Rows SortIntoRows(const std::vector<JointPiece>& pieces) {
+  Rows rows;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t s = 0; s < pieces[i].samples.size(); ++s) {
+      rows[static_cast<int>(std::lround(pieces[i].samples[s].v))].push_back(
+          {pieces[i].samples[s].u, static_cast<int>(i), static_cast<int>(s)});
+    }
+  }
+  for (auto& [v, row] : rows) {
+    std::sort(row.begin(), row.end(),
+              [](const Here& a, const Here& b) { return std::pair(a.u, a.piece) < std::pair(b.u, b.piece); });
+  }
+  return rows;
+}
+
+class Builder {
+ public:
+  Builder(const std::vector<JointPiece>& pieces, const JointGraphOptions& options)
+      : pieces_(pieces), options_(options), edges_of_(pieces.size()) {}
+
+  // Adds one comparison of two samples that are `distance` apart, mm.
+  void Compare(const Here& a, const Here& b, double distance, double observations) {
+    JointEdge& edge = edges_[EdgeOf(a.piece, b.piece)];
+    edge.observations += observations;
+    const JointPiece &p = pieces_[static_cast<std::size_t>(edge.first)],
+                     &q = pieces_[static_cast<std::size_t>(edge.second)];
+    const bool swapped = edge.first != a.piece;
+    const auto& z = p.samples[static_cast<std::size_t>(swapped ? b.sample : a.sample)].z;
+    const auto& y = q.samples[static_cast<std::size_t>(swapped ? a.sample : b.sample)].z;
+    const double scale = options_.scale_mm + options_.scale_slope * distance;
+    std::size_t k = 0;
+    for (const float zi : z) {
+      for (const float yj : y) {
+        const double d = std::isnan(zi) || std::isnan(yj) ? 40.0 : zi - yj;
+        edge.heights[k++] += static_cast<float>(observations * std::log1p(d * d / (scale * scale)));
+      }
+    }
+  }
+
+  // `left` and `right`, of one laser, share a row: the order of `left` is the lower one.
+  void Order(int left, int right) { rules_[EdgeOf(left, right)].grows += left < right ? 1 : -1; }
+
+  void Continue(int above, int below, double cost) { rules_[EdgeOf(above, below)].change_cost = cost; }
+
+  std::vector<JointEdge> Finish() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      JointEdge& edge = edges_[e];
+      const Rule& rule = rules_[e];
+      if (edge.observations > options_.most_observations) {
+        const double share = options_.most_observations / edge.observations;
+        for (float& c : edge.heights) c *= static_cast<float>(share);
+        edge.observations = options_.most_observations;
+      }
+      const JointPiece &p = pieces_[U(edge.first)], &q = pieces_[U(edge.second)];
+      std::size_t k = 0;
+      for (int a = 0; a < p.candidates; ++a) {
+        for (int b = 0; b < q.candidates; ++b, ++k) {
+          const int grows = q.Order(b) - p.Order(a);
+          double cost = grows != 0 ? rule.change_cost : 0.0;
+          if (rule.grows != 0 && rule.grows * grows <= 0) {
+            cost += options_.crossing_cost * std::min(1.0, std::abs(rule.grows) / 3.0);
+          }
+          edge.orders[k] = static_cast<float>(cost);
+        }
+      }
+    }
+    return std::move(edges_);
+  }
+
+ private:
+  // What is asked of the orders at an edge's ends.
+  struct Rule {
+    int grows = 0;  // rows in which the second's must be larger; negative: smaller
+    double change_cost = 0.0;
+  };
+  static std::size_t U(int i) { return static_cast<std::size_t>(i); }
+
+  std::size_t EdgeOf(int a, int b) {
+    const int low = std::min(a, b), high = std::max(a, b);
+    for (const auto& [other, e] : edges_of_[U(low)]) {
+      if (other == high) return e;
+    }
+    edges_of_[U(low)].emplace_back(high, edges_.size());
+    const std::size_t size = U(pieces_[U(low)].candidates) * U(pieces_[U(high)].candidates);
+    edges_.push_back({low, high, 0.0, std::vector<float>(size, 0.0F), std::vector<float>(size, 0.0F)});
+    rules_.emplace_back();
+    return edges_.size() - 1;
+  }
+
+  const std::vector<JointPiece>& pieces_;
+  const JointGraphOptions& options_;
+  std::vector<JointEdge> edges_;
+  std::vector<Rule> rules_;  // by edge
+  std::vector<std::vector<std::pair<int, std::size_t>>>
+      edges_of_;  // by the lower piece: the higher one and the edge
+};
+
+// Stripes side by side in one row.
+void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, double observations,
+                      const JointGraphOptions& options, Builder* builder) {
+  for (const auto& [v, row] : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const JointPiece& p = pieces[static_cast<std::size_t>(row[i].piece)];
+      bool met_own = false;
+      for (std::size_t j = i + 1; j < row.size() && j <= i + 2U * static_cast<unsigned>(options.neighbours);
+           ++j) {
+        if (row[j].piece == row[i].piece) continue;
+        const JointPiece& q = pieces[static_cast<std::size_t>(row[j].piece)];
+        const double distance = (row[j].u - row[i].u) / p.px_per_mm;
+        if (p.laser == q.laser && !met_own) {
+          met_own = true;
+          if (distance < 6.0 * options.max_distance_mm) builder->Order(row[i].piece, row[j].piece);
+        }
+        if (distance <= options.max_distance_mm && j <= i + static_cast<unsigned>(options.neighbours)) {
+          builder->Compare(row[i], row[j], distance, observations);
+        }
+      }
+    }
+  }
+}
+
+// Ends of stripes that face other stripes along the columns.
+void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows, double observations,
+                         const JointGraphOptions& options, Builder* builder) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const JointPiece& p = pieces[i];
+    if (p.samples.empty()) continue;
+    const float reach = static_cast<float>(options.max_gap_mm) * p.px_per_mm;
+    for (const int way : {-1, 1}) {
+      const std::size_t end = way < 0 ? 0 : p.samples.size() - 1;
+      const JointSample& from = p.samples[end];
+      const int v0 = static_cast<int>(std::lround(from.v));
+      // The nearest sample of each of the nearest few pieces.
+      std::map<int, std::pair<double, Here>> nearest;
+      const auto first = way < 0 ? rows.lower_bound(v0 - static_cast<int>(reach)) : rows.upper_bound(v0);
+      const auto last = way < 0 ? rows.lower_bound(v0) : rows.upper_bound(v0 + static_cast<int>(reach));
+      for (auto it = first; it != last; ++it) {
+        const float dv = static_cast<float>(std::abs(it->first - v0));
+        const float half = 0.7F * reach;
+        auto h = std::lower_bound(it->second.begin(), it->second.end(), from.u - half,
+                                  [](const Here& a, float u) { return a.u < u; });
+        for (; h != it->second.end() && h->u <= from.u + half; ++h) {
+          if (h->piece == static_cast<int>(i)) continue;
+          const double distance = std::hypot(h->u - from.u, dv) / p.px_per_mm;
+          if (distance > options.max_gap_mm) continue;
+          auto [slot, fresh] = nearest.try_emplace(h->piece, distance, *h);
+          if (!fresh && distance < slot->second.first) slot->second = {distance, *h};
+        }
+      }
+      std::vector<std::pair<double, Here>> few;
+      for (const auto& [piece, found] : nearest) few.push_back(found);
+      std::stable_sort(few.begin(), few.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      constexpr std::size_t kFew = 4;
+      if (few.size() > kFew) few.resize(kFew);
+      for (const auto& [distance, to] : few) {
+        builder->Compare({from.u, static_cast<int>(i), static_cast<int>(end)}, to, distance, observations);
+      }
+    }
+  }
+}
+
+std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, double observations,
+                              const JointGraphOptions& options) {
+  std::vector<float> cost;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.candidates); ++k) {
+    double outside = 0.0, on_backplane = 0.0;
+    for (const JointSample& s : p.samples) {
+      const double z = s.z[k];
+      const double excess = std::isnan(z) ? 10.0 : std::max(low - z, z - high) - options.volume_tolerance_mm;
+      outside += std::clamp(excess, 0.0, 1.0);
+      if (std::abs(z) < options.backplane_tolerance_mm) on_backplane += 1.0;
+    }
+    const double n = static_cast<double>(p.samples.size());
+    double c = options.volume_cost * observations * outside / n;
+    // A piece that lies on the backplane does so all along.
+    c -= options.backplane_bonus * observations * std::max(0.0, on_backplane / n - 0.7) / 0.3;
+    cost.push_back(static_cast<float>(c));
+  }
+  return cost;
+}
+
+}  // namespace
+
+JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, double min_height_mm, double max_height_mm,
+                           const JointGraphOptions& options) {
+  JointGraph graph;
+  double rows_per_sample = 3.0;
+  for (const JointPiece& p : pieces) {
+    if (p.samples.size() > 1) {
+      rows_per_sample = std::max(1.0, static_cast<double>(p.samples[1].v - p.samples[0].v));
+      break;
+    }
+  }
+  const double each = rows_per_sample / options.independent_rows;
+  for (const JointPiece& p : pieces) {
+    const double n = std::min(options.most_observations, each * static_cast<double>(p.samples.size()));
+    graph.observations.push_back(n);
+    graph.unary.push_back(UnaryCosts(p, min_height_mm, max_height_mm, n, options));
+  }
+  const Rows rows = SortIntoRows(pieces);
+  Builder builder(pieces, options);
+  CompareAlongRows(pieces, rows, each, options, &builder);
+  CompareAlongColumns(pieces, rows, each, options, &builder);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (pieces[i].laser != pieces[i - 1].laser || pieces[i].segment != pieces[i - 1].segment) continue;
+    builder.Continue(static_cast<int>(i - 1), static_cast<int>(i),
+                     pieces[i].follows ? options.cut_cost : options.kink_cost);
+  }
+  graph.edges = builder.Finish();
+  return graph;
+}
+
+}  // namespace dorsum

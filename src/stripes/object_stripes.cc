@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/object_stripes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/parallel.h"
+#include "stripes/ray_orders.h"
+
+namespace dorsum {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// Height of every point of a laser, mm; NaN without an order or a sheet.
+std::vector<float> Heights(const LaserStripes& stripes, const DeviceGeometry& device,
+                           const Context& context) {
+  std::vector<float> z(stripes.points.size(), kNan);
+  const LaserGeometry* laser = device.FindLaser(stripes.laser);
+  if (laser == nullptr) return z;
+  ParallelFor(context, 0, static_cast<std::int64_t>(stripes.segments.size()), [&](std::int64_t s) {
+    const StripeSegment& segment = stripes.segments[static_cast<std::size_t>(s)];
+    if (!segment.order) return;
+    for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+      const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
+      const RayOrders ray(device.camera, *laser, p.u, p.v, device.min_height_mm, device.max_height_mm);
+      if (ray.valid()) z[static_cast<std::size_t>(i)] = static_cast<float>(ray.HeightOf(*segment.order));
+    }
+  });
+  return z;
+}
+
+// Standard deviation of the heights of segments that lie on the backplane, from the median deviation.
+double BackplaneDeviation(const IndexedStripes& stripes, const std::vector<std::vector<float>>& heights,
+                          double least) {
+  std::vector<float> all;
+  for (std::size_t l = 0; l < stripes.lasers.size(); ++l) {
+    for (const StripeSegment& s : stripes.lasers[l].segments) {
+      const auto from = heights[l].begin() + s.first;
+      const auto low = std::count_if(from, from + s.count, [&](float z) { return std::abs(z) < least; });
+      if (2 * low < s.count) continue;
+      std::for_each(from, from + s.count, [&](float z) {
+        if (!std::isnan(z)) all.push_back(std::abs(z));
+      });
+    }
+  }
+  if (all.empty()) return 0.0;
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return 1.4826 * *middle;
+}
+
+enum class Place { kObject, kBackplane, kNeither };
+struct Run {
+  std::int32_t first = 0, count = 0;
+  Place place = Place::kNeither;
+};
+
+// Runs of points of one segment, joined where they are too short to be true.
+std::vector<Run> FindRuns(const StripeSegment& segment, const std::vector<float>& z, double threshold,
+                          const ObjectSplitOptions& options) {
+  std::vector<Run> runs;
+  const auto append = [&](Run run) {
+    if (!runs.empty() && runs.back().place == run.place) {
+      runs.back().count += run.count;
+    } else {
+      runs.push_back(run);
+    }
+  };
+  for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+    const double height = z[static_cast<std::size_t>(i)];
+    append({i, 1,
+            height > threshold     ? Place::kObject
+            : height >= -threshold ? Place::kBackplane
+                                   : Place::kNeither});
+  }
+  const auto rejoin = [&](auto&& place_of) {
+    std::vector<Run> old = std::exchange(runs, {});
+    for (std::size_t r = 0; r < old.size(); ++r) append({old[r].first, old[r].count, place_of(old, r)});
+  };
+  rejoin([&](const std::vector<Run>& old, std::size_t r) {
+    const bool dip = old[r].place == Place::kBackplane && old[r].count <= options.short_dip_rows && r > 0 &&
+                     r + 1 < old.size() && old[r - 1].place == Place::kObject &&
+                     old[r + 1].place == Place::kObject;
+    return dip ? Place::kObject : old[r].place;
+  });
+  rejoin([&](const std::vector<Run>& old, std::size_t r) {
+    if (old[r].place != Place::kObject || old[r].count >= options.short_rows) return old[r].place;
+    const auto from = z.begin() + old[r].first;
+    const bool high = *std::max_element(from, from + old[r].count) > options.short_height_mm;
+    // What leans on nothing is judged by its height alone; beside the backplane it may be the edge's light.
+    return high ? Place::kObject : Place::kBackplane;
+  });
+  return runs;
+}
+
+// Adds points [first, first + count) of `from` to `to` as a segment of their own.
+void AppendSegment(const LaserStripes& from, const StripeSegment& segment, std::int32_t first,
+                   std::int32_t count, std::vector<std::int32_t>* moved, LaserStripes* to) {
+  StripeSegment s;
+  s.first = static_cast<std::int32_t>(to->points.size());
+  s.count = count;
+  s.order = segment.order;
+  double peak = 0.0;
+  for (std::int32_t i = first; i < first + count; ++i) {
+    StripePoint p = from.points[static_cast<std::size_t>(i)];
+    (*moved)[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(to->points.size());
+    p.segment = static_cast<std::int32_t>(to->segments.size());
+    s.min_u = i == first ? p.u : std::min(s.min_u, p.u);
+    s.max_u = i == first ? p.u : std::max(s.max_u, p.u);
+    s.min_v = i == first ? p.v : std::min(s.min_v, p.v);
+    s.max_v = i == first ? p.v : std::max(s.max_v, p.v);
+    peak += p.peak;
+    to->points.push_back(p);
+  }
+  s.mean_peak = static_cast<float>(peak / count);
+  to->segments.push_back(s);
+}
+
+}  // namespace
+
+ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceGeometry& device,
+                          const ObjectSplitOptions& options, const Context& context) {
+  ObjectSplit out;
+  std::vector<std::vector<float>> heights;
+  for (const LaserStripes& one : stripes.lasers) heights.push_back(Heights(one, device, context));
+  out.backplane_sd_mm = BackplaneDeviation(stripes, heights, options.min_height_mm);
+  out.threshold_mm = std::max(options.min_height_mm, options.noise_factor * out.backplane_sd_mm);
+  out.object.diagnostics = stripes.diagnostics;
+  for (std::size_t l = 0; l < stripes.lasers.size(); ++l) {
+    const LaserStripes& from = stripes.lasers[l];
+    LaserStripes to;
+    to.laser = from.laser;
+    std::vector<std::int32_t> moved(from.points.size(), kNoPoint);
+    for (const StripeSegment& segment : from.segments) {
+      if (!segment.order) continue;
+      for (const Run& run : FindRuns(segment, heights[l], out.threshold_mm, options)) {
+        if (run.place == Place::kObject) AppendSegment(from, segment, run.first, run.count, &moved, &to);
+        if (run.place == Place::kNeither) out.below += run.count;
+        if (run.place != Place::kBackplane) continue;
+        const auto first = from.points.begin() + run.first;
+        out.backplane.insert(out.backplane.end(), first, first + run.count);
+      }
+    }
+    const auto where = [&](std::int32_t i) {
+      return i == kNoPoint ? kNoPoint : moved[static_cast<std::size_t>(i)];
+    };
+    for (StripePoint& p : to.points) {
+      p.left = where(p.left);
+      p.right = where(p.right);
+      p.top = where(p.top);
+      p.bottom = where(p.bottom);
+    }
+    out.object.lasers.push_back(std::move(to));
+  }
+  return out;
+}
+
+}  // namespace dorsum

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/pooling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/parallel.h"
+#include "stripes/local_polynomial.h"
+#include "stripes/row_noise.h"
+
+namespace dorsum {
+namespace {
+
+StripeCurve CurveOf(const LaserStripes& stripes, const StripeSegment& segment) {
+  StripeCurve curve;
+  for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+    const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
+    curve.v.push_back(static_cast<double>(p.v));
+    curve.u.push_back(static_cast<double>(p.u));
+    curve.sd.push_back(std::max(1e-3, static_cast<double>(p.sd_px)));
+    curve.use.push_back(1);
+  }
+  const double from = curve.v.front() - 0.5, length = curve.v.back() + 0.5 - from;
+  for (const double v : curve.v) curve.angle.push_back(std::acos(1.0 - 2.0 * (v - from) / length));
+  return curve;
+}
+
+std::vector<int> WindowSizes(const PoolingOptions& options) {
+  std::vector<int> sizes;
+  for (double half = options.min_half_rows; half <= options.max_half_rows; half *= 1.4) {
+    sizes.push_back(static_cast<int>(std::lround(half)));
+  }
+  return sizes;
+}
+
+// The widest window whose estimate does not contradict those of all narrower ones.
+struct Choice {
+  LocalEstimate estimate;
+  int half_rows = 0;
+};
+
+// A wider window holds the narrower one's rows, so the difference of their estimates has about the difference
+// of their variances (Hausman 1978), far less than either where they share most of the noise.
+bool Agree(const LocalEstimate& wide, const LocalEstimate& narrow, double confidence) {
+  static const double fl = getenv("FL") ? atof(getenv("FL")) : 0.1;
+  const double narrow_variance = narrow.sd * narrow.sd;
+  const double variance = std::max(narrow_variance - wide.sd * wide.sd, fl * narrow_variance);
+  const double apart = wide.u - narrow.u;
+  return apart * apart <= confidence * confidence * variance;
+}
+
+Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<int>& sizes,
+                    const RowNoise& noise, double scale, double confidence,
+                    std::vector<LocalEstimate>* tried) {
+  Choice choice;
+  tried->clear();
+  for (const int half : sizes) {
+    const auto h = static_cast<std::size_t>(half);
+    const std::size_t first = k > h ? k - h : 0, last = std::min(curve.v.size() - 1, k + h);
+    LocalEstimate fit = FitLocally(curve, first, last, k, noise.correlation);
+    if (!fit.ok) continue;
+    fit.sd *= scale;
+    bool agrees = true;
+    for (const LocalEstimate& narrow : *tried) agrees = agrees && Agree(fit, narrow, confidence);
+    if (!agrees) break;
+    tried->push_back(fit);
+    choice = {fit, half};
+    if (first == 0 && last + 1 == curve.v.size()) break;
+  }
+  return choice;
+}
+
+}  // namespace
+
+LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& options, const Context& context) {
+  std::vector<StripeCurve> curves;
+  for (const StripeSegment& segment : stripes.segments) curves.push_back(CurveOf(stripes, segment));
+  double conf = getenv("CONF") ? atof(getenv("CONF")) : options.confidence;
+  const std::vector<int> sizes = WindowSizes(options);
+  const RowNoise noise = MeasureRowNoise(options.noise, &curves);
+  if (getenv("DBG"))
+    fprintf(stderr, "scale %.2f share %.2f decay %.2f\n", noise.scale, noise.correlation.share,
+            noise.correlation.decay);
+  ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
+    const auto i = static_cast<std::size_t>(n);
+    const StripeCurve& curve = curves[i];
+    std::vector<LocalEstimate> tried;
+    for (std::size_t k = 0; k < curve.v.size(); ++k) {
+      const Choice choice = ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], conf, &tried);
+      if (choice.half_rows == 0) continue;
+      StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
+      p.u = static_cast<float>(choice.estimate.u);
+      p.sd_px = static_cast<float>(choice.estimate.sd);
+    }
+  });
+  for (StripeSegment& segment : stripes.segments) {
+    for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+      const float u = stripes.points[static_cast<std::size_t>(i)].u;
+      segment.min_u = i == segment.first ? u : std::min(segment.min_u, u);
+      segment.max_u = i == segment.first ? u : std::max(segment.max_u, u);
+    }
+  }
+  return stripes;
+}
+
+}  // namespace dorsum

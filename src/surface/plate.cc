@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/plate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+
+namespace dorsum {
+namespace {
+
+// Where a pixel lies between the nodes of a lattice.
+struct Place {
+  int c = 0, r = 0;
+  float fc = 0.0F, fr = 0.0F;
+};
+
+bool FindPlace(const PlateLattice& l, double u, double v, Place* out) {
+  const double x = (u - l.u0) / l.step_px, y = (v - l.v0) / l.step_px;
+  if (!(x >= 0.0 && y >= 0.0 && x < l.active.cols - 1 && y < l.active.rows - 1)) return false;
+  out->c = static_cast<int>(x);
+  out->r = static_cast<int>(y);
+  out->fc = static_cast<float>(x - out->c);
+  out->fr = static_cast<float>(y - out->r);
+  const std::uint8_t* top = l.active.ptr(out->r) + out->c;
+  const std::uint8_t* bottom = l.active.ptr(out->r + 1) + out->c;
+  return top[0] != 0 && top[1] != 0 && bottom[0] != 0 && bottom[1] != 0;
+}
+
+// The symmetric matrix of the normal equations: for each node its diagonal and the coefficients towards the
+// six neighbours that come later; a frame of two empty nodes on every side spares all tests at borders.
+struct Stencil {
+  static constexpr int kFrame = 2;
+  explicit Stencil(cv::Size size)
+      : cols(size.width + 2 * kFrame),
+        rows(size.height + 2 * kFrame),
+        offsets{1, 2, cols - 1, cols, cols + 1, 2 * cols} {
+    diagonal.assign(Count(), 0.0F);
+    right.assign(Count(), 0.0F);
+    inverse.assign(Count(), 0.0F);
+    for (auto& c : upper) c.assign(Count(), 0.0F);
+  }
+  std::size_t Count() const { return static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows); }
+  std::size_t At(int c, int r) const {
+    return static_cast<std::size_t>(r + kFrame) * static_cast<std::size_t>(cols) +
+           static_cast<std::size_t>(c + kFrame);
+  }
+  // Adds weight * (sum a_i z_i - value)^2.
+  template <std::size_t N>
+  void Add(const std::array<std::size_t, N>& at, const std::array<float, N>& a, float weight, float value) {
+    for (std::size_t i = 0; i < N; ++i) {
+      diagonal[at[i]] += weight * a[i] * a[i];
+      right[at[i]] += weight * a[i] * value;
+      for (std::size_t j = i + 1; j < N; ++j) {
+        const auto distance = static_cast<int>(at[j] - at[i]);
+        const auto k =
+            static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), distance) - offsets.begin());
+        upper[k][at[i]] += weight * a[i] * a[j];
+      }
+    }
+  }
+
+  int cols, rows;
+  std::array<int, 6> offsets;
+  std::vector<float> diagonal, right, inverse;
+  std::array<std::vector<float>, 6> upper;
+};
+
+void AddSamples(const std::vector<PlateSample>& samples, const PlateLattice& l, Stencil* s) {
+  for (const PlateSample& p : samples) {
+    Place at;
+    if (p.weight <= 0.0F || !FindPlace(l, p.u, p.v, &at)) continue;
+    const std::size_t i = s->At(at.c, at.r), below = s->At(at.c, at.r + 1);
+    s->Add<4>({i, i + 1, below, below + 1},
+              {(1 - at.fc) * (1 - at.fr), at.fc * (1 - at.fr), (1 - at.fc) * at.fr, at.fc * at.fr}, p.weight,
+              p.z);
+  }
+}
+
+void AddBending(const PlateOptions& options, const PlateLattice& l, Stencil* s) {
+  const double h = options.mm_per_px * l.step_px;
+  const auto stiffness = static_cast<float>(options.stiffness / (h * h));
+  const auto tension = static_cast<float>(options.tension);
+  const auto yield = static_cast<float>(options.crease_curvature * h * h);
+  const auto on = [&](int c, int r) {
+    return c >= 0 && r >= 0 && c < l.active.cols && r < l.active.rows && l.active(r, c) != 0;
+  };
+  const auto weight = [&](float bend) {
+    return yield > 0.0F ? stiffness / (1.0F + bend * bend / (yield * yield)) : stiffness;
+  };
+  for (int r = 0; r < l.active.rows; ++r) {
+    for (int c = 0; c < l.active.cols; ++c) {
+      if (!on(c, r)) continue;
+      const std::size_t i = s->At(c, r);
+      const auto wide = static_cast<std::size_t>(s->cols);
+      const bool e = on(c + 1, r), n = on(c, r + 1);
+      if (on(c - 1, r) && e) {
+        const float bend = l.z(r, c - 1) - 2.0F * l.z(r, c) + l.z(r, c + 1);
+        s->Add<3>({i - 1, i, i + 1}, {1.0F, -2.0F, 1.0F}, weight(bend), 0.0F);
+      }
+      if (on(c, r - 1) && n) {
+        const float bend = l.z(r - 1, c) - 2.0F * l.z(r, c) + l.z(r + 1, c);
+        s->Add<3>({i - wide, i, i + wide}, {1.0F, -2.0F, 1.0F}, weight(bend), 0.0F);
+      }
+      if (e && n && on(c + 1, r + 1)) {
+        const float bend = l.z(r, c) - l.z(r, c + 1) - l.z(r + 1, c) + l.z(r + 1, c + 1);
+        s->Add<4>({i, i + 1, i + wide, i + wide + 1}, {1.0F, -1.0F, -1.0F, 1.0F}, 2.0F * weight(bend), 0.0F);
+      }
+      if (e) s->Add<2>({i, i + 1}, {-1.0F, 1.0F}, tension, 0.0F);
+      if (n) s->Add<2>({i, i + wide}, {-1.0F, 1.0F}, tension, 0.0F);
+    }
+  }
+  for (std::size_t i = 0; i < s->Count(); ++i)
+    s->inverse[i] = s->diagonal[i] > 0.0F ? 1.0F / s->diagonal[i] : 0.0F;
+}
+
+// Conjugate gradients with a diagonal preconditioner. All sums run row by row in a fixed order, so that the
+// number of threads does not matter.
+class Gradients {
+ public:
+  Gradients(const Stencil& s, const Context& context)
+      : s_(s), context_(context), partial_(static_cast<std::size_t>(s.rows), 0.0) {}
+
+  int Solve(const PlateOptions& options, std::vector<float>* x) {
+    std::vector<float> residual(s_.Count(), 0.0F), direction(s_.Count(), 0.0F), image(s_.Count(), 0.0F);
+    double rho = SumRows([&](std::size_t begin, std::size_t end) {
+      Multiply(*x, begin, end, &image);
+      double sum = 0.0;
+      for (std::size_t i = begin; i < end; ++i) {
+        residual[i] = s_.right[i] - image[i];
+        direction[i] = s_.inverse[i] * residual[i];
+        sum += static_cast<double>(residual[i]) * direction[i];
+      }
+      return sum;
+    });
+    const double enough = rho * options.tolerance * options.tolerance;
+    int iteration = 0;
+    for (; iteration < options.max_iterations && rho > enough && rho > 0.0; ++iteration) {
+      const double curvature = SumRows([&](std::size_t begin, std::size_t end) {
+        Multiply(direction, begin, end, &image);
+        double sum = 0.0;
+        for (std::size_t i = begin; i < end; ++i) sum += static_cast<double>(direction[i]) * image[i];
+        return sum;
+      });
+      if (!(curvature > 0.0)) break;
+      const auto alpha = static_cast<float>(rho / curvature);
+      const double next = SumRows([&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t i = begin; i < end; ++i) {
+          (*x)[i] += alpha * direction[i];
+          residual[i] -= alpha * image[i];
+          sum += static_cast<double>(residual[i]) * residual[i] * s_.inverse[i];
+        }
+        return sum;
+      });
+      const auto beta = static_cast<float>(next / rho);
+      rho = next;
+      SumRows([&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          direction[i] = s_.inverse[i] * residual[i] + beta * direction[i];
+        return 0.0;
+      });
+    }
+    return iteration;
+  }
+
+ private:
+  void Multiply(const std::vector<float>& x, std::size_t begin, std::size_t end,
+                std::vector<float>* out) const {
+    float* y = out->data();
+    const float* in = x.data();
+    for (std::size_t i = begin; i < end; ++i) y[i] = s_.diagonal[i] * in[i];
+    for (std::size_t k = 0; k < s_.offsets.size(); ++k) {
+      const float* a = s_.upper[k].data();
+      const auto d = static_cast<std::ptrdiff_t>(s_.offsets[k]);
+      for (auto i = static_cast<std::ptrdiff_t>(begin); i < static_cast<std::ptrdiff_t>(end); ++i) {
+        y[i] += a[i] * in[i + d] + a[i - d] * in[i - d];
+      }
+    }
+  }
+
+  template <class Body>
+  double SumRows(const Body& body) {
+    constexpr int kBlock = 16;  // rows for one call
+    const int blocks = (s_.rows - 2 * Stencil::kFrame + kBlock - 1) / kBlock;
+    const auto wide = static_cast<std::size_t>(s_.cols);
+    ParallelFor(context_, 0, blocks, [&](std::int64_t b) {
+      const auto first = static_cast<std::size_t>(Stencil::kFrame + b * kBlock);
+      const std::size_t last = std::min(first + kBlock, static_cast<std::size_t>(s_.rows - Stencil::kFrame));
+      for (std::size_t r = first; r < last; ++r) partial_[r] = body(r * wide, (r + 1) * wide);
+    });
+    double sum = 0.0;
+    for (const double p : partial_) sum += p;
+    return sum;
+  }
+
+  const Stencil& s_;
+  const Context& context_;
+  std::vector<double> partial_;
+};
+
+}  // namespace
+
+int SolvePlate(const std::vector<PlateSample>& samples, const PlateOptions& options, PlateLattice* lattice,
+               const Context& context) {
+  PlateLattice& l = *lattice;
+  Stencil s(l.active.size());
+  AddSamples(samples, l, &s);
+  AddBending(options, l, &s);
+  std::vector<float> x(s.Count(), 0.0F);
+  for (int r = 0; r < l.z.rows; ++r) {
+    for (int c = 0; c < l.z.cols; ++c) x[s.At(c, r)] = l.active(r, c) != 0 ? l.z(r, c) : 0.0F;
+  }
+  const int iterations = Gradients(s, context).Solve(options, &x);
+  for (int r = 0; r < l.z.rows; ++r) {
+    for (int c = 0; c < l.z.cols; ++c) l.z(r, c) = l.active(r, c) != 0 ? x[s.At(c, r)] : 0.0F;
+  }
+  return iterations;
+}
+
+PlateLattice Coarsen(const PlateLattice& fine) {
+  PlateLattice out;
+  out.u0 = fine.u0;
+  out.v0 = fine.v0;
+  out.step_px = 2.0 * fine.step_px;
+  out.active = cv::Mat1b((fine.active.rows + 2) / 2 + 1, (fine.active.cols + 2) / 2 + 1, std::uint8_t{0});
+  out.z = cv::Mat1f(out.active.size(), 0.0F);
+  for (int r = 0; r < fine.active.rows; ++r) {
+    for (int c = 0; c < fine.active.cols; ++c) {
+      if (fine.active(r, c) == 0) continue;
+      for (int y = r / 2; y <= (r + 1) / 2; ++y) {
+        for (int x = c / 2; x <= (c + 1) / 2; ++x) out.active(y, x) = 255;
+      }
+    }
+  }
+  return out;
+}
+
+void Prolong(const PlateLattice& coarse, PlateLattice* fine) {
+  for (int r = 0; r < fine->active.rows; ++r) {
+    for (int c = 0; c < fine->active.cols; ++c) {
+      if (fine->active(r, c) == 0) continue;
+      const int r0 = r / 2, r1 = (r + 1) / 2, c0 = c / 2, c1 = (c + 1) / 2;
+      fine->z(r, c) = 0.25F * (coarse.z(r0, c0) + coarse.z(r0, c1) + coarse.z(r1, c0) + coarse.z(r1, c1));
+    }
+  }
+}
+
+float HeightAt(const PlateLattice& lattice, double u, double v) {
+  Place at;
+  if (!FindPlace(lattice, u, v, &at)) return std::numeric_limits<float>::quiet_NaN();
+  const float* top = lattice.z.ptr<float>(at.r) + at.c;
+  const float* bottom = lattice.z.ptr<float>(at.r + 1) + at.c;
+  const float a = top[0] + at.fc * (top[1] - top[0]), b = bottom[0] + at.fc * (bottom[1] - bottom[0]);
+  return a + at.fr * (b - a);
+}
+
+}  // namespace dorsum
