@@ -91,7 +91,7 @@ Status CollectBoards(const CalibrationSeries& series, const CameraCalibration& c
   return {};
 }
 
-BundleState StartState(const CalibrationSeries& series, const Camera& camera, const BundleData& data) {
+BundleState StartState(const Camera& camera, const BundleData& data) {
   BundleState state;
   state.width = camera.width;
   state.height = camera.height;
@@ -103,7 +103,6 @@ BundleState StartState(const CalibrationSeries& series, const Camera& camera, co
     state.world_from_board.push_back(PoseFromRigid(pose));
   }
   for (const HeightPlane& plane : data.planes) state.planes.push_back({plane.given_mm, 0.0, 0.0});
-  (void)series;
   return state;
 }
 
@@ -191,6 +190,33 @@ void TurnWorld(double angle, BundleState* state) {
   }
 }
 
+// Share of each picture's stripe points that fit an order.
+std::vector<double> AssignedShares(const std::vector<SheetPicture>& pictures,
+                                   const std::vector<SheetPoint>& points,
+                                   const SheetAssignmentOptions& options) {
+  std::vector<double> shares(pictures.size(), 0.0);
+  for (const SheetPoint& p : points) shares[static_cast<std::size_t>(p.source)] += 1.0;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    double all = 0.0;
+    for (const StripeSegment& s : pictures[i].stripes.segments) {
+      const int inner = s.count - 2 * options.end_rows;
+      if (inner > 0) all += std::ceil(static_cast<double>(inner) / options.every_rows);
+    }
+    shares[i] = all > 0.0 ? shares[i] / all : 0.0;
+  }
+  return shares;
+}
+
+// How far the height of a point seen along the same ray moves when the sheet moves by 1 mm.
+double HeightPerMm(const BundleCalibration& c, const SheetPoint& p, const Eigen::Vector3d& at) {
+  const DiffractedFan& fan = *c.device.lasers[static_cast<std::size_t>(p.laser)].fan;
+  const Eigen::Vector3d back = (c.device.camera.Center() - at).normalized();
+  const auto here = Locate(fan, at), along = Locate(fan, at + back / back.z());  // 1 mm higher
+  if (!here || !along) return 0.0;
+  const double orders_per_height = std::abs(along->Order(fan) - here->Order(fan));
+  return orders_per_height > 1e-9 ? p.orders_per_px / p.mm_per_px / orders_per_height : 0.0;
+}
+
 std::vector<SheetResidual> Residuals(const BundleCalibration& c) {
   std::vector<SheetResidual> out;
   for (const SheetPoint& p : c.data.points) {
@@ -207,84 +233,206 @@ std::vector<SheetResidual> Residuals(const BundleCalibration& c) {
     r.y_mm = at.y();
     r.miss_mm = OrderMiss(s, p) / p.orders_per_px * p.mm_per_px;
     r.sd_mm = p.sd_px * p.mm_per_px;
+    r.height_per_mm = HeightPerMm(c, p, at);
     out.push_back(r);
   }
   return out;
 }
 
+// One calibration on its way.
+class Bundler {
+ public:
+  Bundler(const CalibrationSeries& series, const BundleOptions& options, const Context& context)
+      : series_(series), options_(options), problem_(options.problem), context_(context) {}
+
+  Result<BundleCalibration> Run(const CameraCalibration& camera) {
+    DORSUM_RETURN_IF_ERROR(CollectBoards(series_, camera, context_, &out_));
+    out_.data.planes = PlanesOfSeries(series_);
+    DORSUM_ASSIGN_OR_RETURN(pictures_, FindSheetPictures(series_, options_.pictures, context_));
+    for (const SheetPicture& p : pictures_) {
+      out_.pictures.push_back(p.name);
+      out_.laser_of_picture.push_back(p.laser);
+    }
+    DORSUM_RETURN_IF_ERROR(SolveBoards(camera.camera));
+    DORSUM_RETURN_IF_ERROR(StartSheets());
+    DORSUM_RETURN_IF_ERROR(SolveSheets());
+    DORSUM_RETURN_IF_ERROR(CheckAndRepeat());
+    Finish();
+    return std::move(out_);
+  }
+
+ private:
+  // Camera and boards alone, which says how well corners are found, whether the board is flat, and how high
+  // the calibration object really is.
+  Status SolveBoards(const Camera& camera) {
+    context_.Report("bundle: boards", 0.3);
+    BundleProblemOptions boards = problem_;
+    boards.use_points = false;
+    DORSUM_ASSIGN_OR_RETURN(solution_,
+                            SolveBundle(out_.data, StartState(camera, out_.data), boards, context_));
+    std::vector<double> errors = ViewErrors(out_.data, solution_.state);
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    problem_.corner_sd_px = std::clamp(*middle / std::sqrt(2.0), 0.03, 1.0);
+    boards.corner_sd_px = problem_.corner_sd_px;
+    DORSUM_ASSIGN_OR_RETURN(out_.board, CheckBoard(out_.data, solution_.state, boards, context_));
+    problem_.bow_boards = boards.bow_boards = BoardIsBent(out_.board, options_.verdicts);
+    if (problem_.bow_boards) solution_.state.board_bow = out_.board.bow;
+    DORSUM_ASSIGN_OR_RETURN(solution_, SolveBundle(out_.data, solution_.state, boards, context_));
+    DORSUM_ASSIGN_OR_RETURN(out_.heights, CheckHeights(out_.data, solution_.state, boards, context_));
+    FreeWrongHeights();
+    return {};
+  }
+
+  // A height that everything else contradicts is found instead of believed.
+  bool FreeWrongHeights() {
+    bool any = false;
+    for (const HeightCheck& h : out_.heights) {
+      HeightPlane& plane = out_.data.planes[static_cast<std::size_t>(h.plane)];
+      constexpr double kUnknown = 100.0;  // mm
+      if (!HeightIsWrong(h, options_.verdicts) || plane.sd_mm >= kUnknown) continue;
+      plane.sd_mm = kUnknown;
+      solution_.state.planes[static_cast<std::size_t>(h.plane)][0] = h.fitted_mm;
+      any = true;
+    }
+    return any;
+  }
+
+  Status StartSheets() {
+    const Camera camera = solution_.state.GetCamera();
+    const std::map<int, double> central =
+        CentralPlaces(series_, camera, pictures_, options_, context_, &out_.warnings);
+    for (std::size_t i = 0; i < series_.lasers.size(); ++i) {
+      const int index = static_cast<int>(i);
+      const auto place = central.find(series_.lasers[i]);
+      DORSUM_ASSIGN_OR_RETURN(
+          const SheetStart start,
+          EstimateSheets(camera, FindPicture(pictures_, index, "backplane")->stripes,
+                         FindPicture(pictures_, index, "Closer")->stripes, solution_.state.planes[1][0],
+                         place == central.end() ? std::nullopt : std::optional(place->second),
+                         options_.start));
+      solution_.state.fans.push_back(FanFromGeometry(start.fan));
+    }
+    return {};
+  }
+
+  // Each round predicts better, so that it may believe less; the last one moves everything.
+  Status SolveSheets() {
+    constexpr double kTolerances[] = {0.25, 0.12};
+    for (std::size_t round = 0; round < std::size(kTolerances); ++round) {
+      context_.Report("bundle: light sheets", 0.4 + 0.1 * static_cast<double>(round));
+      BundleProblemOptions problem = problem_;
+      problem.move_camera = false;
+      Assign(kTolerances[round], 2);
+      DORSUM_ASSIGN_OR_RETURN(solution_, SolveBundle(out_.data, solution_.state, problem, context_));
+    }
+    return SolveAll();
+  }
+
+  void Assign(double tolerance, int thin) {
+    SheetAssignmentOptions assignment = options_.assignment;
+    assignment.tolerance = tolerance;
+    assignment.every_rows *= thin;
+    out_.data.points = AssignOrders(pictures_, solution_.state, assignment);
+    out_.assigned = AssignedShares(pictures_, out_.data.points, assignment);
+    for (const SeriesCheck& s : out_.left_out) {
+      std::erase_if(out_.data.points, [&s](const SheetPoint& p) { return p.source == s.source; });
+    }
+  }
+
+  Status SolveAll() {
+    context_.Report("bundle: everything", 0.6);
+    TurnWorldToCentral();
+    constexpr double kTolerance = 0.06;
+    Assign(kTolerance, 1);
+    BundleProblemOptions problem = problem_;
+    problem.uncertainties = true;
+    DORSUM_ASSIGN_OR_RETURN(solution_, SolveBundle(out_.data, solution_.state, problem, context_));
+    TurnWorldToCentral();
+    return {};
+  }
+
+  void TurnWorldToCentral() {
+    const auto one = std::find(series_.lasers.begin(), series_.lasers.end(), 1);
+    const auto reference =
+        static_cast<std::size_t>(one == series_.lasers.end() ? 0 : one - series_.lasers.begin());
+    TurnWorld(CentralTurn(GeometryFromFan(solution_.state.fans[reference])), &solution_.state);
+  }
+
+  // What contradicts the rest is set free or left out, and everything solved once more without it.
+  Status CheckAndRepeat() {
+    context_.Report("bundle: checks", 0.75);
+    DORSUM_ASSIGN_OR_RETURN(out_.heights, CheckHeights(out_.data, solution_.state, problem_, context_));
+    bool again = FreeWrongHeights();
+    DORSUM_ASSIGN_OR_RETURN(out_.series, CheckSeries(out_.data, solution_.state, problem_, context_));
+    for (std::size_t k = 0; k < series_.lasers.size() && !again; ++k) {
+      const SeriesCheck* worst = nullptr;
+      for (const SeriesCheck& s : out_.series) {
+        if (s.laser != static_cast<int>(k) || s.off_mm <= options_.verdicts.moved_mm) continue;
+        if (worst == nullptr || s.rest_sd < worst->rest_sd) worst = &s;
+      }
+      if (worst != nullptr) out_.left_out.push_back(*worst);
+    }
+    again = again || !out_.left_out.empty();
+    return again ? SolveAll() : Status();
+  }
+
+  void Finish() {
+    out_.solution = std::move(solution_);
+    const BundleState& state = out_.solution.state;
+    out_.device.camera = state.GetCamera();
+    for (std::size_t i = 0; i < series_.lasers.size(); ++i) {
+      LaserGeometry laser;
+      laser.laser = series_.lasers[i];
+      laser.fan = GeometryFromFan(state.fans[i]);
+      laser.grating = laser.fan->origin;
+      out_.device.lasers.push_back(laser);
+    }
+    out_.residuals = Residuals(out_);
+    for (std::size_t i = 0; i < out_.device.lasers.size(); ++i) FinishLaser(i);
+    out_.view_rms_px = ViewErrors(out_.data, state);
+    out_.parts = JudgeBundle(out_, options_.verdicts);
+  }
+
+  void FinishLaser(std::size_t i) {
+    LaserGeometry& laser = out_.device.lasers[i];
+    laser.min_order = 1000;
+    laser.max_order = -1000;
+    std::vector<PatternPoint> pattern;
+    double mm_of_height = 0.0, count = 0.0;
+    for (const SheetResidual& r : out_.residuals) {
+      if (r.laser != laser.laser) continue;
+      pattern.push_back({r.order, r.y_mm, r.height_mm, r.miss_mm});
+      mm_of_height += r.height_per_mm;
+      count += 1.0;
+      if (r.height_mm != 0.0) continue;
+      laser.min_order = std::min(laser.min_order, r.order);
+      laser.max_order = std::max(laser.max_order, r.order);
+    }
+    if (laser.min_order > laser.max_order) laser.min_order = laser.max_order = 0;
+    out_.pattern_mm.push_back(LeftPattern(pattern));
+    const double by_parameters =
+        HeightUncertainty(out_.solution.state, out_.solution.covariance, static_cast<int>(i), laser.min_order,
+                          laser.max_order, out_.device.min_height_mm, out_.device.max_height_mm);
+    const double by_pattern = count > 0.0 ? out_.pattern_mm.back() * mm_of_height / count : 0.0;
+    laser.residual_mm = std::hypot(by_parameters, by_pattern);
+  }
+
+  const CalibrationSeries& series_;
+  const BundleOptions& options_;
+  BundleProblemOptions problem_;
+  const Context& context_;
+  std::vector<SheetPicture> pictures_;
+  BundleSolution solution_;
+  BundleCalibration out_;
+};
+
 }  // namespace
 
 Result<BundleCalibration> CalibrateBundle(const CalibrationSeries& series, const CameraCalibration& camera,
                                           const BundleOptions& options, const Context& context) {
-  BundleCalibration out;
   context.Report("stripes on planes", 0.0);
-  DORSUM_RETURN_IF_ERROR(CollectBoards(series, camera, context, &out));
-  out.data.planes = PlanesOfSeries(series);
-  DORSUM_ASSIGN_OR_RETURN(const std::vector<SheetPicture> pictures,
-                          FindSheetPictures(series, options.pictures, context));
-  for (const SheetPicture& p : pictures) out.pictures.push_back(p.name);
-
-  context.Report("bundle: boards", 0.3);
-  BundleProblemOptions boards_only = options.problem;
-  boards_only.use_points = false;
-  DORSUM_ASSIGN_OR_RETURN(
-      BundleSolution solution,
-      SolveBundle(out.data, StartState(series, camera.camera, out.data), boards_only, context));
-
-  const Camera first = solution.state.GetCamera();
-  const std::map<int, double> central =
-      CentralPlaces(series, first, pictures, options, context, &out.warnings);
-  for (std::size_t i = 0; i < series.lasers.size(); ++i) {
-    const int index = static_cast<int>(i);
-    const auto place = central.find(series.lasers[i]);
-    DORSUM_ASSIGN_OR_RETURN(
-        const SheetStart start,
-        EstimateSheets(first, FindPicture(pictures, index, "backplane")->stripes,
-                       FindPicture(pictures, index, "Closer")->stripes, out.data.planes[1].given_mm,
-                       place == central.end() ? std::nullopt : std::optional(place->second), options.start));
-    solution.state.fans.push_back(FanFromGeometry(start.fan));
-  }
-
-  // Each round predicts better, so that it may believe less.
-  constexpr double kTolerances[] = {0.25, 0.12, 0.06};
-  for (std::size_t round = 0; round < std::size(kTolerances); ++round) {
-    context.Report("bundle: light sheets", 0.4 + 0.2 * static_cast<double>(round));
-    SheetAssignmentOptions assignment = options.assignment;
-    assignment.tolerance = kTolerances[round];
-    BundleProblemOptions problem = options.problem;
-    problem.move_camera = round + 1 == std::size(kTolerances);
-    problem.uncertainties = problem.move_camera;
-    if (!problem.move_camera) assignment.every_rows *= 2;
-    out.data.points = AssignOrders(pictures, solution.state, assignment);
-    DORSUM_ASSIGN_OR_RETURN(solution, SolveBundle(out.data, solution.state, problem, context));
-  }
-
-  const auto one = std::find(series.lasers.begin(), series.lasers.end(), 1);
-  const auto reference =
-      static_cast<std::size_t>(one == series.lasers.end() ? 0 : one - series.lasers.begin());
-  TurnWorld(CentralTurn(GeometryFromFan(solution.state.fans[reference])), &solution.state);
-  out.solution = std::move(solution);
-  out.device.camera = out.solution.state.GetCamera();
-  for (std::size_t i = 0; i < series.lasers.size(); ++i) {
-    LaserGeometry laser;
-    laser.laser = series.lasers[i];
-    laser.fan = GeometryFromFan(out.solution.state.fans[i]);
-    laser.grating = laser.fan->origin;
-    out.device.lasers.push_back(laser);
-  }
-  out.residuals = Residuals(out);
-  for (LaserGeometry& laser : out.device.lasers) {
-    laser.min_order = 1000;
-    laser.max_order = -1000;
-    for (const SheetResidual& r : out.residuals) {
-      if (r.laser != laser.laser || r.height_mm != 0.0) continue;
-      laser.min_order = std::min(laser.min_order, r.order);
-      laser.max_order = std::max(laser.max_order, r.order);
-    }
-  }
-  out.view_rms_px = ViewErrors(out.data, out.solution.state);
-  out.parts = JudgeBundle(out, options.verdicts);
-  return out;
+  return Bundler(series, options, context).Run(camera);
 }
 
 }  // namespace dorsum

@@ -8,6 +8,7 @@
 
 #include "base/context.h"
 #include "base/result.h"
+#include "calibration/bundle_checks.h"
 #include "calibration/bundle_problem.h"
 #include "calibration/camera_calibration.h"
 #include "calibration/first_estimates.h"
@@ -27,6 +28,7 @@ struct BundleVerdictOptions {
   double significant = 5.0;      // ... and in standard deviations
   double board_sag_mm = 0.15;    // how much a board may sag at its corners, mm
   double moved_mm = 0.08;        // how far a series may lie off what the others predict, mm on the plane
+  double assigned_share = 0.35;  // least share of a picture's stripes that must fit an order
   double pattern_mm = 0.03;      // pattern along stripes and over orders that the model may leave, mm
 };
 
@@ -45,8 +47,9 @@ struct SheetResidual {
   int picture = 0;         // index into BundleCalibration::pictures
   double height_mm = 0.0;  // of its plane, as given
   double x_mm = 0.0, y_mm = 0.0;
-  double miss_mm = 0.0;  // on the plane, towards growing order
-  double sd_mm = 0.0;    // that it was weighed with
+  double miss_mm = 0.0;        // on the plane, towards growing order
+  double sd_mm = 0.0;          // that it was weighed with
+  double height_per_mm = 0.0;  // how much height goes with 1 mm of that
 };
 
 struct BundleCalibration {
@@ -54,8 +57,15 @@ struct BundleCalibration {
   BundleData data;                    // what was adjusted
   BundleSolution solution;            // in the same world
   std::vector<std::string> pictures;  // names, of SheetResidual::picture
+  std::vector<int> laser_of_picture;  // index of the laser
   std::vector<SheetResidual> residuals;
   std::vector<double> view_rms_px;  // reprojection error of each board view
+  BoardCheck board;
+  std::vector<HeightCheck> heights;
+  std::vector<SeriesCheck> series;    // of the first solution, in which no picture was left out
+  std::vector<SeriesCheck> left_out;  // pictures that contradict the others and were left out
+  std::vector<double> assigned;       // share of the stripe points of each picture that fit an order
+  std::vector<double> pattern_mm;     // that each laser's sheets leave (LeftPattern)
   std::vector<PartReport> parts;
   std::vector<std::string> warnings;
 };

@@ -182,19 +182,30 @@ class BundleBuilder {
   ceres::Problem problem_;
 };
 
-// Normal matrix of the free parameters, inverted; rows and columns of [lens, pose, fans], which are whole
-// blocks.
-Eigen::MatrixXd Covariance(ceres::Problem* problem, BundleState* state) {
-  ceres::Problem::EvaluateOptions evaluate;
-  evaluate.num_threads = 1;
-  std::vector<double*> wanted = {state->lens.value.data(), state->camera_from_world.value.data()};
-  for (auto& fan : state->fans) wanted.push_back(fan.value.data());
-  std::vector<double*> blocks = wanted, all;
+// Inverts the normal matrix of the free parameters: the covariance of [lens, pose, fans], which are whole
+// blocks, and the planes' heights.
+void FindUncertainties(ceres::Problem* problem, BundleSolution* out) {
+  BundleState& state = out->state;
+  std::vector<double*> blocks = {state.lens.value.data(), state.camera_from_world.value.data()};
+  for (auto& fan : state.fans) blocks.push_back(fan.value.data());
+  const auto size =
+      static_cast<Eigen::Index>(kLensSize + kPoseSize + kFanSize * static_cast<int>(state.fans.size()));
+  std::vector<Eigen::Index> plane_at(state.planes.size(), -1);
+  Eigen::Index at = size;
+  for (std::size_t i = 0; i < state.planes.size(); ++i) {
+    if (problem->IsParameterBlockConstant(state.planes[i].data())) continue;
+    blocks.push_back(state.planes[i].data());
+    plane_at[i] = at;
+    at += kPlaneSize;
+  }
+  std::vector<double*> all;
   problem->GetParameterBlocks(&all);
   for (double* block : all) {
-    const bool known = std::find(wanted.begin(), wanted.end(), block) != wanted.end();
+    const bool known = std::find(blocks.begin(), blocks.end(), block) != blocks.end();
     if (!known && !problem->IsParameterBlockConstant(block)) blocks.push_back(block);
   }
+  ceres::Problem::EvaluateOptions evaluate;
+  evaluate.num_threads = 1;
   evaluate.parameter_blocks = blocks;
   ceres::CRSMatrix jacobian;
   problem->Evaluate(evaluate, nullptr, nullptr, nullptr, &jacobian);
@@ -203,21 +214,33 @@ Eigen::MatrixXd Covariance(ceres::Problem* problem, BundleState* state) {
     const int from = jacobian.rows[static_cast<std::size_t>(r)],
               to = jacobian.rows[static_cast<std::size_t>(r) + 1];
     for (int i = from; i < to; ++i) {
-      for (int k = from; k <= i; ++k) {
-        const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
+      const auto a = static_cast<std::size_t>(i);
+      for (int k = from; k < to; ++k) {
+        const auto b = static_cast<std::size_t>(k);
         normal(jacobian.cols[a], jacobian.cols[b]) += jacobian.values[a] * jacobian.values[b];
       }
     }
   }
-  // Columns within a row are not sorted across blocks: gather both halves.
-  const Eigen::MatrixXd full = normal + normal.transpose() - Eigen::MatrixXd(normal.diagonal().asDiagonal());
-  const auto size =
-      static_cast<Eigen::Index>(kLensSize + kPoseSize + kFanSize * static_cast<int>(state->fans.size()));
-  const Eigen::VectorXd scale = full.diagonal().cwiseMax(1e-30).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * full * scale.asDiagonal();
+  // What nothing was seen of has an empty column; it stays apart. Columns of equal length keep digits.
+  std::vector<char> seen(static_cast<std::size_t>(normal.cols()), 1);
+  for (Eigen::Index i = 0; i < normal.cols(); ++i) {
+    if (normal(i, i) > 0.0) continue;
+    seen[static_cast<std::size_t>(i)] = 0;
+    normal(i, i) = 1.0;
+  }
+  const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
   const Eigen::MatrixXd inverse =
-      scaled.ldlt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
-  return (scale.asDiagonal() * inverse * scale.asDiagonal()).topLeftCorner(size, size);
+      scale.asDiagonal() * scaled.ldlt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols())) *
+      scale.asDiagonal();
+  const double factor = std::max(1.0, out->variance_factor);
+  out->covariance = factor * inverse.topLeftCorner(size, size);
+  out->height_sd.assign(state.planes.size(), 0.0);
+  for (std::size_t i = 0; i < plane_at.size(); ++i) {
+    const Eigen::Index k = plane_at[i];
+    if (k >= 0 && seen[static_cast<std::size_t>(k)])
+      out->height_sd[i] = std::sqrt(std::max(0.0, factor * inverse(k, k)));
+  }
 }
 
 }  // namespace
@@ -247,9 +270,7 @@ Result<BundleSolution> SolveBundle(const BundleData& data, const BundleState& st
   const double freedom =
       std::max(1, summary.num_residuals_reduced - summary.num_effective_parameters_reduced);
   out.variance_factor = 2.0 * summary.final_cost / freedom;
-  if (options.uncertainties) {
-    out.covariance = Covariance(&problem, &out.state) * std::max(1.0, out.variance_factor);
-  }
+  if (options.uncertainties) FindUncertainties(&problem, &out);
   return out;
 }
 

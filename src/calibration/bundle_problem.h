@@ -79,6 +79,7 @@ struct BundleSolution {
   // Covariance of [lens, camera pose, fans], in the state's order, scaled by the variance factor; empty when
   // not asked for.
   Eigen::MatrixXd covariance;
+  std::vector<double> height_sd;  // of each plane's height, mm, when asked for; 0 where it was fixed
 };
 
 // Least squares over the chessboards' corners and the stripes on planes of known height (COLMAP-like bundle

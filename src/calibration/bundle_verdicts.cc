@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace dorsum {
 namespace {
@@ -73,6 +74,73 @@ std::string FormSentence(const DiffractedFan& fan, double bow_sd) {
   return lean + " and is bowed, neither flat nor a cone";
 }
 
+// Orders of which the backplane shows much less than of their neighbours, and stretches that are missing from
+// the middle of a stripe: an order that the grating makes too dim, or dirt on it.
+std::vector<std::string> MissingStripes(const BundleCalibration& c, int laser, int min_order, int max_order) {
+  std::map<int, std::vector<double>> rows;
+  for (const SheetPoint& p : c.data.points) {
+    if (p.laser == laser && p.plane == 0) rows[p.order].push_back(p.v);
+  }
+  std::vector<std::string> found;
+  for (int m = min_order; m <= max_order; ++m) {
+    std::vector<double>& mine = rows[m];
+    const double beside = 0.5 * static_cast<double>(rows[std::max(min_order, m - 1)].size() +
+                                                    rows[std::min(max_order, m + 1)].size());
+    if (m > min_order && m < max_order && static_cast<double>(mine.size()) < 0.4 * beside) {
+      found.push_back("order " + std::to_string(m) + " is hardly seen on the backplane");
+      continue;
+    }
+    std::sort(mine.begin(), mine.end());
+    double widest = 0.0, at = 0.0;
+    for (std::size_t i = 1; i < mine.size(); ++i) {
+      if (mine[i] - mine[i - 1] <= widest) continue;
+      widest = mine[i] - mine[i - 1];
+      at = mine[i - 1];
+    }
+    if (mine.size() > 10 && widest > 0.1 * c.device.camera.height) {
+      found.push_back("order " + std::to_string(m) + " is missing on rows " + Fixed(at, 0) + " to " +
+                      Fixed(at + widest, 0));
+    }
+  }
+  return found;
+}
+
+// What is wrong with a laser, worst first; raises the grade.
+std::vector<std::string> Complaints(const BundleCalibration& c, std::size_t index,
+                                    const BundleVerdictOptions& o, Grade* grade) {
+  const LaserGeometry& laser = c.device.lasers[index];
+  const auto raise = [grade](Grade g) { *grade = std::max(*grade, g); };
+  std::vector<std::string> complaints;
+  for (const SeriesCheck& s : c.left_out) {
+    if (s.laser != static_cast<int>(index)) continue;
+    raise(s.off_mm > 4.0 * o.moved_mm ? Grade::kBad : Grade::kDoubtful);
+    complaints.push_back(
+        "laser " + std::to_string(laser.laser) + " moved between the series: its stripes in " +
+        c.pictures[static_cast<std::size_t>(s.source)] + " lie " + Fixed(s.off_mm, 2) +
+        " mm off what its other pictures say; that picture was left out, so fix the laser and "
+        "capture the series again");
+  }
+  for (std::size_t i = 0; i < c.pictures.size(); ++i) {
+    if (c.laser_of_picture[i] != static_cast<int>(index) || c.assigned[i] >= o.assigned_share) continue;
+    raise(Grade::kDoubtful);
+    complaints.push_back("only " + Fixed(100.0 * c.assigned[i], 0) + " % of the stripes in " + c.pictures[i] +
+                         " fit its light sheets; did the laser move, or does something else stand there?");
+  }
+  if (c.pattern_mm[index] > o.pattern_mm) {
+    raise(c.pattern_mm[index] > 3.0 * o.pattern_mm ? Grade::kBad : Grade::kDoubtful);
+    complaints.push_back("the cones leave a pattern of " + Fixed(c.pattern_mm[index], 3) +
+                         " mm along the stripes, so the model does not explain this laser");
+  }
+  const std::vector<std::string> missing =
+      MissingStripes(c, static_cast<int>(index), laser.min_order, laser.max_order);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, missing.size()); ++i) complaints.push_back(missing[i]);
+  if (!missing.empty()) {
+    raise(Grade::kDoubtful);
+    complaints.back() += " (dirt on the grating, or too short an exposure?)";
+  }
+  return complaints;
+}
+
 PartReport JudgeLaser(const BundleCalibration& c, std::size_t index, const BundleVerdictOptions& o) {
   const LaserGeometry& laser = c.device.lasers[index];
   const DiffractedFan& fan = *laser.fan;
@@ -86,6 +154,7 @@ PartReport JudgeLaser(const BundleCalibration& c, std::size_t index, const Bundl
   report.part = "laser " + std::to_string(laser.laser);
   report.figures = {{"stripe points", all.n, ""},
                     {"sheet residual", all.Rms(), "mm"},
+                    {"pattern left", c.pattern_mm[index], "mm"},
                     {"height uncertainty by calibration", laser.residual_mm, "mm"},
                     {"grating x", fan.origin.x(), "mm"},
                     {"grating x, uncertainty", sd(kFanOrigin), "mm"},
@@ -99,12 +168,59 @@ PartReport JudgeLaser(const BundleCalibration& c, std::size_t index, const Bundl
                     {"fan tilt, uncertainty", sd(kFanAlpha), "rad"},
                     {"fan bow", fan.bow, ""},
                     {"fan bow, uncertainty", sd(kFanBow), ""}};
-  report.verdict = "cones explain all stripes; " + FormSentence(fan, sd(kFanBow));
-  (void)o;
+  std::vector<std::string> complaints = Complaints(c, index, o, &report.grade);
+  std::string text = complaints.empty() ? "cones explain all stripes" : "";
+  for (const std::string& complaint : complaints) text += (text.empty() ? "" : "; ") + complaint;
+  report.verdict = text + "; " + FormSentence(fan, sd(kFanBow));
+  return report;
+}
+
+PartReport JudgeBoard(const BundleCalibration& c, const BundleVerdictOptions& o) {
+  PartReport report;
+  report.part = "chessboard";
+  report.figures = {{"sag of the corners", c.board.sag_mm, "mm"},
+                    {"sag, in standard deviations", c.board.significance, ""}};
+  report.verdict = "the board is flat";
+  if (BoardIsBent(c.board, o)) {
+    report.grade = Grade::kDoubtful;
+    report.verdict =
+        "the board is not flat: its corners lie " + Fixed(c.board.sag_mm, 2) +
+        " mm off its middle; that bow was taken into account, but mount the board on something flat";
+  }
+  return report;
+}
+
+PartReport JudgeHeights(const BundleCalibration& c, const BundleVerdictOptions& o) {
+  PartReport report;
+  report.part = "known heights";
+  report.verdict = "all heights fit as they were given";
+  std::string wrong;
+  for (const HeightCheck& h : c.heights) {
+    const std::string& name = c.data.planes[static_cast<std::size_t>(h.plane)].name;
+    report.figures.push_back({name + ": given", h.given_mm, "mm"});
+    report.figures.push_back({name + ": fits", h.fitted_mm, "mm"});
+    report.figures.push_back({name + ": uncertainty", h.sd_mm, "mm"});
+    if (!HeightIsWrong(h, o)) continue;
+    wrong += (wrong.empty() ? "" : "; ") + ("the height of " + name + " is given as " + Fixed(h.given_mm, 1) +
+                                            " mm, fits " + Fixed(h.fitted_mm, 1) + " mm");
+  }
+  if (!wrong.empty()) {
+    report.grade = Grade::kDoubtful;
+    report.verdict = wrong + "; what fits was used, so measure it and correct setup.json";
+  }
   return report;
 }
 
 }  // namespace
+
+bool HeightIsWrong(const HeightCheck& check, const BundleVerdictOptions& options) {
+  const double off = std::abs(check.fitted_mm - check.given_mm);
+  return off > options.height_off_mm && off > options.significant * check.sd_mm;
+}
+
+bool BoardIsBent(const BoardCheck& check, const BundleVerdictOptions& options) {
+  return check.sag_mm > options.board_sag_mm && check.significance > options.significant;
+}
 
 std::vector<double> ViewErrors(const BundleData& data, const BundleState& state) {
   const Camera camera = state.GetCamera();
@@ -127,7 +243,7 @@ std::vector<double> ViewErrors(const BundleData& data, const BundleState& state)
 }
 
 std::vector<PartReport> JudgeBundle(const BundleCalibration& c, const BundleVerdictOptions& options) {
-  std::vector<PartReport> parts = {JudgeCamera(c, options)};
+  std::vector<PartReport> parts = {JudgeCamera(c, options), JudgeBoard(c, options), JudgeHeights(c, options)};
   for (std::size_t i = 0; i < c.device.lasers.size(); ++i) parts.push_back(JudgeLaser(c, i, options));
   return parts;
 }

@@ -11,6 +11,10 @@ namespace dorsum {
 std::vector<PartReport> JudgeBundle(const BundleCalibration& calibration,
                                     const BundleVerdictOptions& options);
 
+// Whether a check goes beyond what chance and a careful hand explain.
+bool HeightIsWrong(const HeightCheck& check, const BundleVerdictOptions& options);
+bool BoardIsBent(const BoardCheck& check, const BundleVerdictOptions& options);
+
 // Root mean square distance of each board view's corners from where the solution sees them, px.
 std::vector<double> ViewErrors(const BundleData& data, const BundleState& state);
 

@@ -11,7 +11,7 @@ namespace dorsum {
 struct SheetAssignmentOptions {
   double tolerance = 0.25;  // how far a point may miss a whole order, orders
   double clear = 3.0;       // how much worse the other plane must fit, ratio
-  int every_rows = 24;       // one point in so many rows, px; pooled neighbours err alike
+  int every_rows = 24;      // one point in so many rows, px; pooled neighbours err alike
   int end_rows = 8;         // points so close to a segment's end may be cut by an edge, px
 };
 

@@ -17,7 +17,7 @@ std::string Millimetres(double value) {
 
 std::vector<HeightPlane> PlanesOfSeries(const CalibrationSeries& series) {
   // How well people measure what they put under a laser; a plane is then free to be that much wrong.
-  constexpr double kObjectSd = 0.03, kBoxSd = 0.05;
+  constexpr double kObjectSd = 0.01, kBoxSd = 0.02;
   std::vector<HeightPlane> planes = {{"the backplane", 0.0, 0.0}};
   const double h = series.setup.calibration_object_height_mm;
   planes.push_back({"the calibration object", h, kObjectSd});

@@ -12,7 +12,7 @@ namespace {
 struct Arguments {
   ReconstructRequest request;
   OptionTable table = DescribeReconstructOptions(&request.options);
-  std::string capture, calibration, out, settings, method = "classic";
+  std::string capture, calibration, out, settings;
   bool no_report = false;
 };
 
@@ -48,8 +48,9 @@ void AddReconstruct(CLI::App* app, Session* session) {
       ->required();
   c->add_option("-c,--calibration", arguments->calibration, "calibration.json of the device")->required();
   c->add_option("-o,--out", arguments->out, "folder to write")->required();
-  c->add_option("--method", arguments->method, "how, for all stages together: the document's way (classic)")
-      ->check(CLI::IsMember({"classic"}))
+  c->add_option("--method", arguments->request.options.method,
+                "how, for all stages that say auto: ours (default) or the document's way (classic)")
+      ->check(CLI::IsMember({"default", "classic"}))
       ->capture_default_str();
   c->add_option("--lasers", arguments->request.options.lasers, "use only these lasers: 0,1,2")
       ->delimiter(',')

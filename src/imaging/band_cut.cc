@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "imaging/band_cut.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
@@ -30,27 +32,26 @@ constexpr std::array<Step, 4> kSteps = {
 
 class BandGraph {
  public:
-  explicit BandGraph(const BandCut& input) : in_(input), node_(input.known.size(), CV_32SC1) {
-    int count = 0;
+  explicit BandGraph(const BandCut& input) : in_(input), node_(input.known.size(), -1) {
     for (int v = 0; v < node_.rows; ++v) {
+      const auto* known = in_.known.ptr<std::uint8_t>(v);
       for (int u = 0; u < node_.cols; ++u) {
-        node_(v, u) = in_.known.at<std::uint8_t>(v, u) == kUnknownPixel ? count++ : -1;
+        if (known[u] != kUnknownPixel) continue;
+        node_(v, u) = static_cast<int>(pixels_.size());
+        pixels_.emplace_back(u, v);
       }
     }
-    graph_.create(static_cast<unsigned>(count), static_cast<unsigned>(8 * count));
-    for (int i = 0; i < count; ++i) graph_.addVtx();
+    graph_.create(static_cast<unsigned>(pixels_.size()), static_cast<unsigned>(8 * pixels_.size()));
+    for (std::size_t i = 0; i < pixels_.size(); ++i) graph_.addVtx();
   }
 
   cv::Mat Cut() {
-    for (int v = 0; v < node_.rows; ++v) {
-      for (int u = 0; u < node_.cols; ++u) Join(u, v);
-    }
-    graph_.maxFlow();
     cv::Mat object = in_.known == kObjectPixel;
-    for (int v = 0; v < node_.rows; ++v) {
-      for (int u = 0; u < node_.cols; ++u) {
-        if (node_(v, u) >= 0 && graph_.inSourceSegment(node_(v, u))) object.at<std::uint8_t>(v, u) = 255;
-      }
+    if (pixels_.empty()) return object;  // an empty graph has no flow
+    for (const cv::Point pixel : pixels_) Join(pixel);
+    graph_.maxFlow();
+    for (const cv::Point pixel : pixels_) {
+      if (graph_.inSourceSegment(node_(pixel))) object.at<std::uint8_t>(pixel) = 255;
     }
     return object;
   }
@@ -64,27 +65,29 @@ class BandGraph {
 
   void Pull(int node, int cost) { graph_.addTermWeights(node, std::max(cost, 0), std::max(-cost, 0)); }
 
-  void Join(int u, int v) {
-    const int node = node_(v, u);
-    if (node >= 0) Pull(node, static_cast<int>(std::lround(kUnit * in_.pull.at<float>(v, u))));
+  void Join(cv::Point pixel) {
+    const int node = node_(pixel);
+    const cv::Rect image({0, 0}, node_.size());
+    Pull(node, static_cast<int>(std::lround(kUnit * in_.pull.at<float>(pixel))));
     for (const Step& step : kSteps) {
-      const int x = u + step.du, y = v + step.dv;
-      if (x < 0 || x >= node_.cols || y >= node_.rows) continue;
-      const int other = node_(y, x);
-      if (node < 0 && other < 0) continue;
-      const int cost = Cost({u, v}, {x, y}, step.length);
-      if (node >= 0 && other >= 0) {
-        graph_.addEdges(node, other, cost, cost);
-      } else if (node >= 0) {
-        Pull(node, in_.known.at<std::uint8_t>(y, x) == kObjectPixel ? cost : -cost);
-      } else {
-        Pull(other, in_.known.at<std::uint8_t>(v, u) == kObjectPixel ? cost : -cost);
+      for (const int sign : {1, -1}) {
+        const cv::Point neighbour = pixel + sign * cv::Point(step.du, step.dv);
+        if (!image.contains(neighbour)) continue;
+        const int other = node_(neighbour);
+        if (other >= 0 && sign < 0) continue;  // joined from its side
+        const int cost = Cost(pixel, neighbour, step.length);
+        if (other >= 0) {
+          graph_.addEdges(node, other, cost, cost);
+        } else {
+          Pull(node, in_.known.at<std::uint8_t>(neighbour) == kObjectPixel ? cost : -cost);
+        }
       }
     }
   }
 
   const BandCut& in_;
-  cv::Mat_<int> node_;
+  cv::Mat_<int> node_;  // -1 where the pixel is known
+  std::vector<cv::Point> pixels_;
   cv::detail::GCGraph<int> graph_;
 };
 

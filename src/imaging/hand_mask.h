@@ -20,6 +20,7 @@ struct HandMask {
   cv::Mat mask;            // CV_8UC1, 0 or 255, the captured image's size
   double threshold = 0.0;  // grey values
   double area_share = 0.0;
+  double contradicting = 0.0;  // share of seeds on the wrong side of the outline; RefineObjectMask fills it
 };
 
 // The document's mask of hand or object (§3.4, Figure 3.4): the background is subtracted, the difference

@@ -17,6 +17,17 @@ namespace {
 
 constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
 
+// Far from the object's stripes what has not changed is backplane, whether or not a stripe lies there.
+void SettleUnchanged(const cv::Mat& light, const cv::Mat& votes, cv::Mat* known) {
+  constexpr float kUnchanged = 0.05F;  // of the light's root
+  constexpr float kFar = 30.0F;        // px
+  cv::Mat distance;
+  cv::distanceTransform(votes <= 0.0, distance, cv::DIST_L2, cv::DIST_MASK_3);
+  const cv::Mat settled = (distance > kFar) & (light > 1.0F - kUnchanged) & (light < 1.0F + kUnchanged) &
+                          (*known == kUnknownPixel);
+  known->setTo(kBackplanePixel, settled);
+}
+
 // Pixels near the outline become unknown, the rest stays as it is.
 cv::Mat OpenOutline(const cv::Mat& object, int reach_px) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
@@ -41,11 +52,27 @@ void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area
       if (sign * votes.at<float>(v, u) > 0.0F) ++seeds[static_cast<std::size_t>(labels.at<int>(v, u))];
     }
   }
-  for (int i = 1; i < count; ++i) {
-    if (seeds[static_cast<std::size_t>(i)] >= min_seeds || stats.at<int>(i, cv::CC_STAT_AREA) >= min_area)
-      continue;
-    mask->setTo(sign > 0.0F ? 0 : 255, labels == i);
+  const auto dropped = [&](int label) {
+    return label > 0 && seeds[static_cast<std::size_t>(label)] < min_seeds &&
+           stats.at<int>(label, cv::CC_STAT_AREA) < min_area;
+  };
+  for (int v = 0; v < labels.rows; ++v) {
+    for (int u = 0; u < labels.cols; ++u) {
+      if (dropped(labels.at<int>(v, u))) mask->at<std::uint8_t>(v, u) = sign > 0.0F ? 0 : 255;
+    }
   }
+}
+
+double ContradictingShare(const std::vector<ObjectSeed>& seeds, const cv::Mat& mask) {
+  const cv::Rect image({0, 0}, mask.size());
+  int wrong = 0, all = 0;
+  for (const ObjectSeed& seed : seeds) {
+    const cv::Point place(cv::Point2f(seed.u, seed.v));
+    if (!image.contains(place)) continue;
+    ++all;
+    wrong += (mask.at<std::uint8_t>(place) != 0) != seed.object;
+  }
+  return all == 0 ? 0.0 : static_cast<double>(wrong) / all;
 }
 
 }  // namespace
@@ -60,7 +87,8 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
 
   BandCut coarse;
   coarse.light = LedRatio(background, hand, 2);
-  const SeedMap map = MapSeeds(seeds, coarse.light, 2);
+  SeedMap map = MapSeeds(seeds, coarse.light, 2);
+  SettleUnchanged(coarse.light, map.votes, &map.known);
   coarse.known = map.known;
   coarse.texture = UsualTexture(coarse.light, map.known);
   coarse.pull = options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
@@ -78,13 +106,26 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   cv::Mat texture;
   cv::resize(coarse.texture, texture, {object.cols, object.rows});
   fine.texture = texture(cv::Rect({0, 0}, hand.size())) * 0.7;
-  fine.pull = options.seed_strength * MapSeeds(seeds, fine.light, 1).votes;
+  fine.pull = options.seed_strength * CountVotes(seeds, hand.size(), 1);
 
   HandMask result;
   result.mask = CutInBand(fine);
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
+  result.contradicting = ContradictingShare(seeds, result.mask);
   Sink(context, "mask/mask", result.mask);
+  if (result.area_share < options.min_area_share) {
+    return BadInput(
+        "no object is seen: a few stripes seem to lie on one, but they do not make an outline with bgHand; "
+        "put "
+        "the hand down and capture again");
+  }
+  if (result.area_share > options.picture_only.max_area_share) {
+    return BadInput(
+        "the object seems to fill the picture, so its outline is not seen; look whether bgHand and the "
+        "stripes "
+        "belong to the same capture and the calibration fits the device");
+  }
   return result;
 }
 

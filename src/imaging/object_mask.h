@@ -19,8 +19,10 @@ struct ObjectSeed {
 };
 
 struct ObjectMaskOptions {
-  int min_seeds = 50;             // object's seeds below which the picture under the LEDs decides alone, 1 up
-  double seed_strength = 2.0;     // length of outline that one row of a stripe is worth, rows, 0.5 to 10
+  int min_seeds = 50;  // object's seeds below which the picture under the LEDs decides alone, 1 up
+  // Length of outline that a row of a stripe is worth, px, 0.1 to 2. Below 1, so that a whole stripe that is
+  // on the wrong side of an outline goes when nothing in the picture speaks for it.
+  double seed_strength = 0.7;
   double pull = 0.01;             // the same for one pixel's brightness, 0 to 1
   double min_area_share = 0.001;  // smallest piece of the object, as a share of the image, 0 to 1
   HandMaskOptions picture_only;   // for use without seeds

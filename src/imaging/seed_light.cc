@@ -12,6 +12,7 @@
 namespace dorsum {
 namespace {
 
+constexpr int kEvery = 2;        // px between those whose texture counts
 constexpr int kCell = 8;         // px: statistics are kept for squares of this side
 constexpr double kReach = 2.0;   // cells: one standard deviation of the distance over which they count
 constexpr double kTrust = 20.0;  // px: known pixels nearby that weigh as much as all of the image
@@ -34,8 +35,9 @@ LocalMoments MomentsNear(const cv::Mat& values, const cv::Mat& mask) {
       squares.at<float>(v / kCell, u / kCell) += value[u] * value[u];
     }
   }
-  const double count = std::max(1.0, cv::sum(n)[0]);
-  const double mean = cv::sum(sum)[0] / count, square = cv::sum(squares)[0] / count;
+  const double count = cv::sum(n)[0];
+  const double mean = count > 0.0 ? cv::sum(sum)[0] / count : 1.0;
+  const double square = count > 0.0 ? cv::sum(squares)[0] / count : 1.0;
   for (cv::Mat* m : {&n, &sum, &squares}) cv::GaussianBlur(*m, *m, {}, kReach, kReach, cv::BORDER_CONSTANT);
   n += kTrust / (kCell * kCell);
   sum += mean * kTrust / (kCell * kCell);
@@ -62,14 +64,16 @@ void Enlarge(cv::Mat* cells, cv::Size size) {
 cv::Mat UsualTexture(const cv::Mat& light, const cv::Mat& known) {
   constexpr double kLeast = 0.002;
   const cv::Mat inner = Inner(known, kObjectPixel) | Inner(known, kBackplanePixel);
-  cv::Mat steps = cv::Mat::zeros(light.size(), CV_32FC1);
-  for (int v = 0; v + 1 < light.rows; ++v) {
-    for (int u = 0; u + 1 < light.cols; ++u) {
-      if (inner.at<std::uint8_t>(v, u) == 0) continue;
+  cv::Mat steps = cv::Mat::zeros(light.size(), CV_32FC1), use = cv::Mat::zeros(light.size(), CV_8UC1);
+  for (int v = 0; v + 1 < light.rows; v += kEvery) {
+    const auto* known_there = inner.ptr<std::uint8_t>(v);
+    for (int u = 0; u + 1 < light.cols; u += kEvery) {
+      if (known_there[u] == 0) continue;
+      use.at<std::uint8_t>(v, u) = 255;
       steps.at<float>(v, u) = std::hypot(SharpStep(light, {u, v}, {1, 0}), SharpStep(light, {u, v}, {0, 1}));
     }
   }
-  LocalMoments near = MomentsNear(steps, inner);
+  LocalMoments near = MomentsNear(steps, use);
   cv::Mat texture;
   cv::sqrt(near.square * 0.5, texture);
   texture = cv::max(texture, kLeast);

@@ -7,17 +7,6 @@
 namespace dorsum {
 namespace {
 
-cv::Mat CountVotes(const std::vector<ObjectSeed>& seeds, cv::Size size, int scale) {
-  cv::Mat votes = cv::Mat::zeros(size, CV_32FC1);
-  const float shift = 0.5F * static_cast<float>(scale - 1), step = static_cast<float>(scale);
-  for (const ObjectSeed& seed : seeds) {
-    const auto u = std::lround((seed.u - shift) / step), v = std::lround((seed.v - shift) / step);
-    if (u < 0 || v < 0 || u >= size.width || v >= size.height) continue;
-    votes.at<float>(static_cast<int>(v), static_cast<int>(u)) += seed.object ? 1.0F : -1.0F;
-  }
-  return votes;
-}
-
 // Columns of a row's seeds.
 std::vector<int> SeedColumns(const cv::Mat& votes, int row) {
   std::vector<int> columns;
@@ -66,6 +55,17 @@ void Bridge(const float* ratio, int a, int b, std::uint8_t* bridge) {
 }
 
 }  // namespace
+
+cv::Mat CountVotes(const std::vector<ObjectSeed>& seeds, cv::Size size, int scale) {
+  cv::Mat votes = cv::Mat::zeros(size, CV_32FC1);
+  const float shift = 0.5F * static_cast<float>(scale - 1), step = static_cast<float>(scale);
+  for (const ObjectSeed& seed : seeds) {
+    const auto u = std::lround((seed.u - shift) / step), v = std::lround((seed.v - shift) / step);
+    if (u < 0 || v < 0 || u >= size.width || v >= size.height) continue;
+    votes.at<float>(static_cast<int>(v), static_cast<int>(u)) += seed.object ? 1.0F : -1.0F;
+  }
+  return votes;
+}
 
 SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int scale) {
   SeedMap map;

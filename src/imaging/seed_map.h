@@ -19,6 +19,9 @@ struct SeedMap {
                    // right of it, and a little wider than the stripes' distance
 };
 
+// The votes alone.
+cv::Mat CountVotes(const std::vector<ObjectSeed>& seeds, cv::Size size, int scale);
+
 // What the seeds say of the pixels of an image of `ratio`'s size, `scale` times smaller than the captured
 // one. Between two seeds of one kind that follow each other in a row, all pixels are of that kind, when the
 // seeds lie no further apart than most neighbours do and the light between them is even.

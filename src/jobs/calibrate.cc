@@ -26,8 +26,7 @@ Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSe
                                                              std::vector<std::string>* warnings) {
   std::map<int, std::vector<HeightSample>> samples;
   ReconstructOptions reconstruct;
-  reconstruct.mask = reconstruct.stripes = reconstruct.indexing = reconstruct.fusion = "classic";
-  reconstruct.sheets = "plane";  // what the polynomial belongs to
+  reconstruct.method = "classic";
   reconstruct.correction = "none";
   for (std::size_t i = 0; i < series.box_heights_mm.size(); ++i) {
     DORSUM_RETURN_IF_ERROR(context.CheckCancelled());

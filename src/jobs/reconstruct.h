@@ -26,6 +26,7 @@ struct Reconstruction {
   HeightField height_field;
   TriangleMesh mesh;
   int without_order = 0, without_sheet = 0;  // stripe points that gave no surface point
+  int contradicted = 0;                      // surface points left out, since the others contradict them
   std::vector<std::string> warnings;
 };
 

@@ -23,7 +23,8 @@ Status WritePng(const std::filesystem::path& path, const cv::Mat& image) {
   return WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-Json Stages(const ReconstructOptions& o) {
+Json Stages(const ReconstructOptions& asked) {
+  const ReconstructOptions o = ResolveStages(asked);
   return {{"mask", o.mask},     {"stripes", o.stripes},       {"indexing", o.indexing},
           {"sheets", o.sheets}, {"correction", o.correction}, {"fusion", o.fusion}};
 }
@@ -58,6 +59,7 @@ Json ReportJson(const ReconstructRequest& request, const Reconstruction& result,
           {"points", result.points.size()},
           {"points_without_order", result.without_order},
           {"points_without_sheet", result.without_sheet},
+          {"points_contradicted", result.contradicted},
           {"triangles", result.mesh.faces.size()},
           {"crossings_left_out", result.height_field.left_out},
           {"mask_threshold", result.mask.threshold},

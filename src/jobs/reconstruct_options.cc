@@ -5,13 +5,21 @@ namespace dorsum {
 
 OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   OptionTable t;
-  t.Add("mask", &o->mask, {"classic"}, "how the object is found in the image (§3.4)");
-  t.Add("stripes", &o->stripes, {"classic"}, "how stripes are located (§3.4)");
-  t.Add("indexing", &o->indexing, {"classic"}, "how stripes get their orders (§3.5)");
-  t.Add("sheets", &o->sheets, {"plane"}, "model of a light sheet (§3.6)");
-  t.Add("correction", &o->correction, {"polynomial", "none"},
+  t.Add("mask", &o->mask, {"auto", "robust", "classic"}, "how the object is found in the image (§3.4)");
+  t.Add("stripes", &o->stripes, {"auto", "ridge", "classic"}, "how stripes are located (§3.4)");
+  t.Add("indexing", &o->indexing, {"auto", "joint", "classic"}, "how stripes get their orders (§3.5)");
+  t.Add("sheets", &o->sheets, {"auto", "cone", "plane"}, "model of a light sheet (§3.6)");
+  t.Add("correction", &o->correction, {"auto", "polynomial", "none"},
         "surface error correction of plane sheets (3.9)");
-  t.Add("fusion", &o->fusion, {"classic"}, "how the lasers are merged");
+  t.Add("fusion", &o->fusion, {"auto", "robust", "classic"}, "how the lasers are merged");
+  t.Add("indexing-own-margin", &o->joint_indexing.min_own_margin, 0.0, 1000.0,
+        "a stripe keeps its order where any other costs this much more (joint)");
+  t.Add("indexing-surface-margin", &o->joint_indexing.min_surface_margin, 0.0, 1000.0,
+        "the same for a whole surface");
+  t.Add("fusion-stiffness", &o->robust_fusion.stiffness, 0.001, 1e6,
+        "weight of the surface's curvature (robust)");
+  t.Add("fusion-reach-mm", &o->robust_fusion.max_distance_mm, 0.5, 50.0,
+        "how far from a point the surface goes on, mm (robust)");
   t.Add("mask-open-px", &o->hand_mask.open_px, 1, 99, "side of the mask's opening, px");
   t.Add("mask-min-contrast", &o->hand_mask.min_contrast, 0.0, 255.0,
         "least contrast of the object, 255ths of the background");
@@ -33,6 +41,20 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   t.Add("max-slope-deg", &o->height_field.max_slope_deg, 10.0, 89.0,
         "steepest surface between stripes, degrees");
   return t;
+}
+
+ReconstructOptions ResolveStages(ReconstructOptions o) {
+  const bool classic = o.method == "classic";
+  const auto decide = [&](std::string* stage, const char* ours, const char* theirs) {
+    if (*stage == "auto") *stage = classic ? theirs : ours;
+  };
+  decide(&o.mask, "robust", "classic");
+  decide(&o.stripes, "ridge", "classic");
+  decide(&o.indexing, "joint", "classic");
+  decide(&o.sheets, "cone", "plane");
+  if (o.correction == "auto") o.correction = o.sheets == "plane" ? "polynomial" : "none";
+  decide(&o.fusion, "robust", "classic");
+  return o;
 }
 
 }  // namespace dorsum

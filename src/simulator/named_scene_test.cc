@@ -64,6 +64,31 @@ TEST(NamedScene, ObjectsLieInThePictureAboveTheBackplane) {
   }
 }
 
+TEST(NamedScene, ObjectsCanBeRaisedAndShifted) {
+  const VirtualDevice device = BuildVirtualDevice(CoarseDevice(), 1);
+  const auto box_of = [&](const char* text) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v :
+         ObjectMesh(BuildNamedScene(device, *ParseSceneName(text), 1, 1)).vertices) {
+      box.extend(v);
+    }
+    return box;
+  };
+  const auto usual = box_of("box20"), high = box_of("box20+high70"), aside = box_of("box20+side");
+  EXPECT_LT((high.min() - usual.min() - Eigen::Vector3d(0, 0, 70)).norm(), 1e-9);
+  EXPECT_LT((aside.max() - usual.max() - Eigen::Vector3d(0, 80, 0)).norm(), 1e-9);
+  EXPECT_GT(high.max().z(), device.description.working_heights_mm[1]) << "above the working volume";
+  EXPECT_LT(Project(device.camera, aside.max()).y(), 0.0) << "out of the picture";
+}
+
+TEST(NamedScene, AWhiteBoxLiesWhereNoColourTellsItFromTheBackplane) {
+  const VirtualDevice device = BuildVirtualDevice(CoarseDevice(), 1);
+  const Scene scene = BuildNamedScene(device, *ParseSceneName("whitebox20"), 1, 1);
+  ASSERT_EQ(scene.parts.size(), 2U);
+  EXPECT_EQ(scene.parts[1].paint.albedo, scene.parts[0].paint.albedo);
+  EXPECT_EQ(scene.parts[1].mesh.vertices[0].z(), 20.0);
+}
+
 TEST(Population, HasTheDocumentsProportions) {
   const auto women = [](int people) {
     int count = 0;

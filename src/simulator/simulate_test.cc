@@ -105,7 +105,7 @@ TEST_F(SimulateTest, WritesTheFoldersOfTheDesign) {
 }
 
 TEST_F(SimulateTest, SameSeedSameFilesAtOneAndTwoThreads) {
-  options_.scenes = {"box13.5", "cylinder10"};
+  options_.scenes = {"box13.5", "cylinder10+dust0+moved1+after"};
   Context one, two;
   one.threads = 1;
   two.threads = 2;
@@ -123,7 +123,7 @@ TEST_F(SimulateTest, SameSeedSameFilesAtOneAndTwoThreads) {
     }
     ++compared;
   }
-  EXPECT_EQ(compared, 17);
+  EXPECT_EQ(compared, 20);
 }
 
 TEST_F(SimulateTest, CancellingLeavesNothingBehind) {
@@ -167,6 +167,8 @@ TEST_F(SimulateTest, RefusesWrongRequestsBeforeWritingAnything) {
   EXPECT_EQ(code_of(options), ErrorCode::kUsage);
   options.scenes = {"plane", "plane"};
   EXPECT_EQ(code_of(options), ErrorCode::kUsage);
+  options.scenes = {"box13.5+off2"};  // there are two lasers
+  EXPECT_EQ(code_of(options), ErrorCode::kUsage);
   options = options_;
   options.population = -1;
   EXPECT_EQ(code_of(options), ErrorCode::kUsage);
@@ -184,6 +186,38 @@ TEST_F(SimulateTest, ABoardThatDoesNotFitIsSaidInOneSentence) {
   EXPECT_EQ(report.error().code, ErrorCode::kBadInput);
   EXPECT_NE(report.error().message.find("chessboard"), std::string::npos);
   EXPECT_TRUE(Files().empty());
+}
+
+TEST_F(SimulateTest, TruthOfAMovedObjectIsWhatEachLaserSaw) {
+  options_.scenes = {"sphere25", "sphere25+moved3+after"};
+  ASSERT_TRUE(Simulate(options_, dir_ / "out", Context{}).ok());
+  const fs::path truth = dir_ / "out" / "truth", captures = dir_ / "out" / "captures";
+  const auto same = [&](const char* name) {
+    return *ReadFile(truth / "sphere25" / name) == *ReadFile(truth / "sphere25+moved3+after" / name);
+  };
+  EXPECT_TRUE(same("height.png"));
+  EXPECT_TRUE(same("stripes0.csv.gz")) << "laser 0 came before the motion";
+  EXPECT_FALSE(same("stripes1.csv.gz"));
+  const auto scene = ReadJson(truth / "sphere25+moved3+after" / "scene.json");
+  ASSERT_TRUE(scene.ok());
+  EXPECT_EQ((*scene)["modifiers"][0]["name"], "moved");
+  EXPECT_EQ((*scene)["motion"]["from_laser"], 1);
+  EXPECT_FALSE(fs::exists(truth / "sphere25" / "scene.json"));
+  const auto before = ReadImage(captures / "sphere25+moved3+after" / "bgHand.png");
+  const auto after = ReadImage(captures / "sphere25+moved3+after" / "bgHandAfter.png");
+  ASSERT_TRUE(before.ok() && after.ok());
+  EXPECT_GT(cv::norm(*before, *after, cv::NORM_INF), 40.0) << "its rim is elsewhere";
+  EXPECT_FALSE(fs::exists(captures / "sphere25" / "bgHandAfter.png"));
+}
+
+TEST_F(SimulateTest, ACaptureOfAnotherDeviceThanTheCalibratedSaysSo) {
+  options_.scenes = {"plane+knocked0.5"};
+  ASSERT_TRUE(Simulate(options_, dir_ / "out", Context{}).ok());
+  const auto calibrated = ReadJson(dir_ / "out" / "truth" / "device.json");
+  const auto now = ReadJson(dir_ / "out" / "truth" / "plane+knocked0.5" / "device.json");
+  ASSERT_TRUE(calibrated.ok() && now.ok());
+  EXPECT_NE((*calibrated)["camera"]["R"], (*now)["camera"]["R"]);
+  EXPECT_EQ((*calibrated)["lasers"], (*now)["lasers"]);
 }
 
 TEST_F(SimulateTest, APersonComesWithBothHandsAndIsListed) {

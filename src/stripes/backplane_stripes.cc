@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "stripes/append_segment.h"
+
 namespace dorsum {
 namespace {
 
@@ -52,29 +54,6 @@ std::vector<Place> FindPlaces(std::span<const StripePoint> points, const LaserGe
     out[i] = !bright ? Place::kDim : close[i] ? Place::kBackplane : Place::kFree;
   }
   return out;
-}
-
-void AppendPiece(std::span<const StripePoint> piece, LaserStripes* out) {
-  StripeSegment s;
-  s.first = static_cast<std::int32_t>(out->points.size());
-  s.count = static_cast<std::int32_t>(piece.size());
-  s.min_u = s.max_u = piece.front().u;
-  s.min_v = piece.front().v;
-  s.max_v = piece.back().v;
-  double peaks = 0.0;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    StripePoint p = piece[i];
-    const auto index = s.first + static_cast<std::int32_t>(i);
-    p.segment = static_cast<std::int32_t>(out->segments.size());
-    p.top = i > 0 ? index - 1 : kNoPoint;
-    p.bottom = i + 1 < piece.size() ? index + 1 : kNoPoint;
-    s.min_u = std::min(s.min_u, p.u);
-    s.max_u = std::max(s.max_u, p.u);
-    peaks += p.peak;
-    out->points.push_back(p);
-  }
-  s.mean_peak = static_cast<float>(peaks / static_cast<double>(piece.size()));
-  out->segments.push_back(s);
 }
 
 // All points by image row, for looking at what stands beside a point.
@@ -179,7 +158,7 @@ BackplaneSplit SplitOne(const LaserStripes& stripes, const std::vector<char>& ba
       if (backplane[first + begin]) {
         out.backplane.insert(out.backplane.end(), piece.begin(), piece.end());
       } else if (piece.size() >= static_cast<std::size_t>(min_rows)) {
-        AppendPiece(piece, &out.object);
+        AppendSegment(piece, std::nullopt, &out.object);
       }
       begin = i;
     }

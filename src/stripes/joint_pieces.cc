@@ -94,6 +94,30 @@ std::vector<Cut> FindCuts(const LaserStripes& stripes, const StripeSegment& segm
   return all;
 }
 
+struct OrderLimits {
+  int first = 0, last = 0;
+};
+
+// The orders that can be seen within the working volume. Where the picture's border cuts the comb of the
+// empty backplane, orders beyond those seen there come into view higher up.
+OrderLimits OrdersInView(const DeviceGeometry& device, const LaserGeometry& laser) {
+  const Camera& camera = device.camera;
+  OrderLimits limits{laser.min_order, laser.max_order};
+  for (const double u : {0.0, camera.width - 1.0}) {
+    const RayOrders ray(camera, laser, static_cast<float>(u), 0.5F * static_cast<float>(camera.height),
+                        device.min_height_mm, device.max_height_mm);
+    if (!ray.valid()) continue;
+    const double ground = ray.OrderAtLow(), top = ray.OrderAtHigh();
+    if (ground < limits.first && ground > laser.min_order - 1.0) {
+      limits.first = static_cast<int>(std::floor(std::min(ground, top)));
+    }
+    if (ground > limits.last && ground < laser.max_order + 1.0) {
+      limits.last = static_cast<int>(std::ceil(std::max(ground, top)));
+    }
+  }
+  return limits;
+}
+
 void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, const LaserGeometry& laser,
                  const JointPieceOptions& options, JointPiece* piece) {
   const Eigen::Vector3d centre = device.camera.Center();
@@ -122,8 +146,9 @@ void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, cons
     last = std::max(last, static_cast<int>(std::floor(b)));
     direction += ray.OrderAtHigh() - ray.OrderAtLow();
   }
-  first = std::max(first, laser.min_order);
-  last = std::min(last, laser.max_order);
+  const OrderLimits limits = OrdersInView(device, laser);
+  first = std::max(first, limits.first);
+  last = std::min(last, limits.last);
   if (first > last) return;
   piece->step = direction > 0.0 ? 1 : -1;
   piece->lowest = direction > 0.0 ? first : last;

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jobs/find_object.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <opencv2/imgproc.hpp>
+
+#include "base/parallel.h"
+#include "captures/image_file.h"
+#include "imaging/object_mask.h"
+#include "imaging/shadow.h"
+#include "imaging/stage_sink.h"
+#include "stripes/append_segment.h"
+#include "stripes/backplane_check.h"
+#include "stripes/object_stripes.h"
+
+namespace dorsum {
+namespace {
+
+// Lasers that are calibrated, wanted and in the capture.
+std::vector<int> LasersToUse(const CaptureImages& capture, const DeviceGeometry& device,
+                             const std::vector<int>& wanted) {
+  std::vector<int> lasers;
+  for (const LaserGeometry& laser : device.lasers) {
+    const auto k = static_cast<std::size_t>(laser.laser);
+    const bool asked = wanted.empty() || std::find(wanted.begin(), wanted.end(), laser.laser) != wanted.end();
+    if (asked && k < capture.stripes.size() && capture.stripes[k]) lasers.push_back(laser.laser);
+  }
+  return lasers;
+}
+
+LaserStripes FindStripes(const cv::Mat& image, const cv::Mat& region, int laser,
+                         const ReconstructOptions& options, const Context& context) {
+  const cv::Mat green = GreenChannel(image);
+  if (options.stripes == "ridge") {
+    return PoolAlongStripes(FindRidges(green, region, laser, options.ridge, context), options.pooling,
+                            context);
+  }
+  const cv::Mat stripe_mask =
+      ExtractStripeMask(image, region, options.stripe_mask, "stripes/" + std::to_string(laser), context);
+  return SmoothSegments(ExtractClassicSegments(stripe_mask, green, laser, options.segments),
+                        options.segments.min_rows, options.smoothing);
+}
+
+// StripePoints and StripeSegments of all wanted lasers, side by side.
+std::vector<LaserStripes> FindAllStripes(const CaptureImages& capture, const cv::Mat& region,
+                                         const DeviceGeometry& device, const ReconstructOptions& options,
+                                         const Context& context) {
+  const std::vector<int> lasers = LasersToUse(capture, device, options.lasers);
+  std::vector<LaserStripes> stripes(lasers.size());
+  Context inner = context;
+  if (context.sink != nullptr) inner.threads = 1;  // a sink is called from one thread
+  ParallelFor(inner, 0, static_cast<std::int64_t>(lasers.size()), [&](std::int64_t i) {
+    const int laser = lasers[static_cast<std::size_t>(i)];
+    stripes[static_cast<std::size_t>(i)] =
+        FindStripes(*capture.stripes[static_cast<std::size_t>(laser)], region, laser, options, inner);
+  });
+  return stripes;
+}
+
+// Orders for the object's stripes, and what lies on the backplane beside it.
+FoundObject Index(std::vector<LaserStripes> stripes, const DeviceGeometry& device,
+                  const ReconstructOptions& options, const Context& context) {
+  const SheetModel model = options.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane;
+  FoundObject out;
+  if (options.indexing == "joint") {
+    ObjectSplit split =
+        SplitByHeight(IndexJointly(std::move(stripes), device, options.joint_indexing, context), device,
+                      options.object_split);
+    out.stripes = std::move(split.object);
+    out.backplane = std::move(split.backplane);
+    return out;
+  }
+  std::vector<LaserStripes> object;
+  for (BackplaneSplit& split :
+       SplitBackplane(stripes, device, options.segments.min_rows, options.backplane)) {
+    out.backplane.insert(out.backplane.end(), split.backplane.begin(), split.backplane.end());
+    object.push_back(std::move(split.object));
+  }
+  out.stripes = IndexClassic(std::move(object), device, model, options.classic_indexing);
+  return out;
+}
+
+// Where the picture under the LEDs is as bright as the empty backplane.
+cv::Mat EmptyPart(const cv::Mat& background, const cv::Mat& hand) {
+  constexpr double kSameShare = 0.06;  // of the background's brightness
+  cv::Mat before, after, difference, allowed;
+  cv::blur(GreenChannel(background), before, {5, 5});
+  cv::blur(GreenChannel(hand), after, {5, 5});
+  cv::absdiff(before, after, difference);
+  before.convertTo(allowed, CV_8U, kSameShare, 1.0);
+  return difference <= allowed;
+}
+
+Status CheckDevice(const std::vector<LaserStripes>& stripes, const cv::Mat& background, const cv::Mat& hand,
+                   const DeviceGeometry& device) {
+  std::string moved;
+  double shift = 0.0;
+  for (const BackplaneCheck& check : CheckBackplane(stripes, device, EmptyPart(background, hand), {})) {
+    if (!check.moved) continue;
+    moved += (moved.empty() ? "" : ", ") + std::to_string(check.laser);
+    shift = std::max(shift, check.shift_px);
+  }
+  if (moved.empty()) return {};
+  char text[16];
+  std::snprintf(text, sizeof text, "%.1f", shift);
+  return BadInput("the stripes of laser " + moved + " lie " + text +
+                  " px beside their places on the backplane: camera, laser or backplane moved since the "
+                  "calibration; calibrate again");
+}
+
+// The mask without the shadow that the stripes on the backplane give away.
+cv::Mat WithoutShadow(const cv::Mat& mask, const FoundObject& found) {
+  std::vector<cv::Point> object, backplane;
+  for (const LaserStripes& one : found.stripes.lasers) {
+    for (const StripePoint& p : one.points) object.emplace_back(cvRound(p.u), cvRound(p.v));
+  }
+  for (const StripePoint& p : found.backplane) backplane.emplace_back(cvRound(p.u), cvRound(p.v));
+  return RemoveShadow(mask, object, backplane);
+}
+
+Result<HandMask> MaskFromSeeds(const CaptureImages& capture, const cv::Mat& background,
+                               const FoundObject& found, const ReconstructOptions& options,
+                               const Context& context) {
+  std::vector<ObjectSeed> seeds;
+  for (const LaserStripes& one : found.stripes.lasers) {
+    for (const StripeSegment& segment : one.segments) {
+      if (!segment.order) continue;
+      for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+        const StripePoint& p = one.points[static_cast<std::size_t>(i)];
+        seeds.push_back({p.u, p.v, true});
+      }
+    }
+  }
+  for (const StripePoint& p : found.backplane) seeds.push_back({p.u, p.v, false});
+  return RefineObjectMask(background, capture.hand, seeds, options.object_mask, context);
+}
+
+// Takes away the stripe points further than `slack_px` outside the mask.
+void KeepInside(const cv::Mat& mask, int slack_px, IndexedStripes* stripes) {
+  cv::Mat near;
+  const cv::Size side(2 * slack_px + 1, 2 * slack_px + 1);
+  cv::dilate(mask, near, cv::getStructuringElement(cv::MORPH_ELLIPSE, side));
+  const cv::Rect picture({}, near.size());
+  for (LaserStripes& one : stripes->lasers) {
+    std::vector<char> keep;
+    for (const StripePoint& p : one.points) {
+      const cv::Point at(cvRound(p.u), cvRound(p.v));
+      keep.push_back(picture.contains(at) && near.at<std::uint8_t>(at) != 0 ? 1 : 0);
+    }
+    one = KeepPoints(one, keep);
+  }
+}
+
+}  // namespace
+
+Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& background,
+                               const DeviceGeometry& device, const ReconstructOptions& options,
+                               const Context& context) {
+  const bool robust = options.mask == "robust";
+  context.Report("mask", 0.0);
+  HandMask picture;
+  if (robust) {
+    picture.mask = cv::Mat(capture.hand.size(), CV_8UC1, cv::Scalar(255));
+  } else {
+    DORSUM_ASSIGN_OR_RETURN(picture, ExtractHandMask(background, capture.hand, options.hand_mask, context));
+  }
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  context.Report("stripes", 0.2);
+  std::vector<LaserStripes> stripes = FindAllStripes(capture, picture.mask, device, options, context);
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  context.Report("indexing", 0.5);
+  if (robust) DORSUM_RETURN_IF_ERROR(CheckDevice(stripes, background, capture.hand, device));
+  FoundObject out = Index(std::move(stripes), device, options, context);
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  if (robust) {
+    DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, options, context));
+    KeepInside(out.mask.mask, 1, &out.stripes);
+    return out;
+  }
+  out.mask = picture;
+  out.mask.mask = WithoutShadow(picture.mask, out);
+  Sink(context, "mask/without_shadow", out.mask.mask);
+  out.mask.area_share =
+      static_cast<double>(cv::countNonZero(out.mask.mask)) / static_cast<double>(out.mask.mask.total());
+  if (out.mask.area_share < options.hand_mask.min_area_share) {
+    return BadInput(
+        "only shadow is seen in bgHand: the object is as bright as the backplane, or it is gone; cover a "
+        "white object with something darker and capture again");
+  }
+  return out;
+}
+
+}  // namespace dorsum
