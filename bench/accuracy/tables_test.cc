@@ -111,7 +111,7 @@ TEST(LadderTest, LeadsFromTheDocumentsMethodToTheDefault) {
   const std::vector<Rung> ladder = Ladder();
   EXPECT_EQ(ladder.front().options.mask, "classic");
   EXPECT_EQ(ladder.front().options.sheets, "plane");
-  const ReconstructOptions defaults;
+  const ReconstructOptions defaults = ResolveStages({});
   EXPECT_EQ(ladder.back().options.mask, defaults.mask);
   EXPECT_EQ(ladder.back().options.stripes, defaults.stripes);
   EXPECT_EQ(ladder.back().options.indexing, defaults.indexing);
