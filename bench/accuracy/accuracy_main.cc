@@ -86,10 +86,15 @@ Result<Results> RunCaptures(const Arguments& arguments, const std::vector<Rung>&
 Status Print(const Results& results, const std::string& group) {
   DORSUM_ASSIGN_OR_RETURN(const LimitTable asked, ReadLimits(kBench / "asked.toml"));
   for (const std::string& design : DesignsOf(results)) {
-    std::printf(
-        "\n## %s\n\nAsked and reached\n\n%s\nOne stage at a time\n\n%s\nWhere the errors come from\n\n%s",
-        design.c_str(), AcceptanceTable(results, design, group.empty() ? design : group, asked).c_str(),
-        LadderTable(results, design).c_str(), BudgetTable(results, design).c_str());
+    const std::string acceptance = AcceptanceTable(results, design, group.empty() ? design : group, asked);
+    std::printf("\n## %s\n", design.c_str());
+    if (acceptance.empty()) {
+      std::printf("\n%s", CaptureTable(results, design, RungsOf(results, design).back()).c_str());
+      continue;
+    }
+    std::printf("\nAsked and reached\n\n%s\nOne stage at a time\n\n%s\nWhere the errors come from\n\n%s",
+                acceptance.c_str(), LadderTable(results, design).c_str(),
+                BudgetTable(results, design).c_str());
   }
   return {};
 }

@@ -12,6 +12,7 @@
 #include "accuracy/stripe_match.h"
 #include "surface/height_field.h"
 #include "surface/height_mesh.h"
+#include "surface/robust_fusion.h"
 #include "surface/triangulation.h"
 
 namespace dorsum::accuracy {
@@ -62,12 +63,30 @@ struct PointErrors {
   bool stray = false;
 };
 
+// A calibration may count a laser's orders from another stripe than the truth does: by how many, as most of
+// the points that are right have it.
+std::map<int, int> OrderShifts(const CaptureTruth& truth, const SurfacePoints& points) {
+  constexpr double kRightMm = 2.0;
+  std::map<int, std::vector<double>> differences;
+  for (const SurfacePoint& p : points) {
+    const TrueStripe* stripe = NearestStripe(truth, p);
+    if (stripe == nullptr || std::abs(stripe->u - p.u) > kStrayPx) continue;
+    if (std::abs(p.position.z() - stripe->z) < kRightMm)
+      differences[p.laser].push_back(p.order - stripe->order);
+  }
+  std::map<int, int> shifts;
+  for (const auto& [laser, list] : differences)
+    shifts[laser] = static_cast<int>(std::lround(Quantile(list, 0.5)));
+  return shifts;
+}
+
 std::vector<PointErrors> Separate(const CaptureTruth& truth, const DeviceGeometry& true_device,
                                   const DeviceGeometry& calibrated, const TriangulationOptions& triangulation,
                                   const SurfacePoints& points, const Context& context) {
   std::vector<PointErrors> errors;
-  std::vector<std::size_t> matched;                // of `errors`
-  std::vector<Sighting> at_truth, at_measurement;  // both with the true order
+  std::map<int, int> shifts = OrderShifts(truth, points);
+  std::vector<std::size_t> matched;                               // of `errors`
+  std::vector<Sighting> at_truth, at_measurement, truly_counted;  // all of the true order
   std::vector<double> true_at_stripe, true_at_point, given;
   for (const SurfacePoint& p : points) {
     const double z = TruthAt(truth, p.u, p.v, kPointStepMm)[2];
@@ -77,15 +96,17 @@ std::vector<PointErrors> Separate(const CaptureTruth& truth, const DeviceGeometr
     errors.back().stray = stripe == nullptr || std::abs(stripe->u - p.u) > kStrayPx;
     if (errors.back().stray) continue;
     matched.push_back(errors.size() - 1);
-    at_truth.push_back({p.laser, stripe->order, stripe->u, static_cast<double>(p.v)});
-    at_measurement.push_back({p.laser, stripe->order, p.u, p.v});
+    const int counted = stripe->order + shifts[p.laser];
+    at_truth.push_back({p.laser, counted, stripe->u, static_cast<double>(p.v)});
+    at_measurement.push_back({p.laser, counted, p.u, p.v});
+    truly_counted.push_back({p.laser, stripe->order, p.u, p.v});
     true_at_stripe.push_back(stripe->z);
     true_at_point.push_back(z);
     given.push_back(p.position.z());
   }
   const TriangulationOptions truly{.sheets = SheetModel::kCone, .correction = false};
   const std::vector<double> plane = HeightsOf(at_truth, calibrated, triangulation, context);
-  const std::vector<double> ridge = HeightsOf(at_measurement, true_device, truly, context);
+  const std::vector<double> ridge = HeightsOf(truly_counted, true_device, truly, context);
   const std::vector<double> right = HeightsOf(at_measurement, calibrated, triangulation, context);
   for (std::size_t i = 0; i < matched.size(); ++i) {
     PointErrors& e = errors[matched[i]];
@@ -157,8 +178,11 @@ Figures ErrorBudget(const CaptureTruth& truth, const DeviceGeometry& true_device
   constexpr float kTypicalSigmaMm = 0.05F;
   const SurfacePoints perfect = TruePoints(truth, kTypicalSigmaMm);
   const cv::Mat1b outline = ObjectArea(truth, 0) * 255;
-  const HeightField field = FuseHeightField(perfect, truth.camera, outline, options.height_field, context);
-  if (const auto surface = ScoreSurface(truth, MeshHeightField(field), {})) {
+  const TriangleMesh mesh =
+      options.fusion == "robust"
+          ? FuseRobust(perfect, truth.camera, outline, options.robust_fusion, context).mesh
+          : MeshHeightField(FuseHeightField(perfect, truth.camera, outline, options.height_field, context));
+  if (const auto surface = ScoreSurface(truth, mesh, {})) {
     f["fusion"] = surface->z.rmse;
     f["fusion_median_abs"] = surface->z.median_abs;
     f["fusion_p95_abs"] = surface->z.p95_abs;

@@ -22,7 +22,7 @@ namespace dorsum::accuracy {
 //   fusion          the true stripe points, fused under the true outline
 //   fusion_p95_abs  the same
 //   fusion_cover    share of the object that this covers
-// `options` choose sheets, correction and fusion.
+// `asked` chooses sheets, correction and fusion.
 Figures ErrorBudget(const CaptureTruth& truth, const DeviceGeometry& true_device,
                     const DeviceGeometry& calibrated, const ReconstructOptions& options,
                     const SurfacePoints& points, const Context& context);

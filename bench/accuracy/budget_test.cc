@@ -9,6 +9,7 @@
 #include "base/temp_folder_test.h"
 #include "simulator/named_scene.h"
 #include "simulator/small_device_test.h"
+#include "simulator/truth.h"
 #include "simulator/truth_files.h"
 
 namespace dorsum::accuracy {
@@ -23,7 +24,10 @@ class BudgetTest : public testing::Test {
     const auto stage = SetStage(device, BuildNamedScene(device, *name, device.seed, device.seed), {});
     ASSERT_TRUE(stage.ok());
     std::filesystem::create_directories(folder_ / "box");
-    ASSERT_TRUE(WriteTruth(device, *stage, folder_ / "box", {}).ok());
+    ASSERT_TRUE(WriteSurfaceTruth(*stage, folder_ / "box").ok());
+    for (int k = 0; k < static_cast<int>(device.lasers.size()); ++k) {
+      ASSERT_TRUE(WriteStripeTruth(device, *stage, k, folder_ / "box", {}).ok());
+    }
     ASSERT_TRUE(WriteJson(folder_ / "device.json", DeviceToJson(device)).ok());
     auto truth = ReadCaptureTruth(folder_ / "box", folder_ / "device.json");
     auto true_device = ReadTrueDevice(folder_ / "device.json");

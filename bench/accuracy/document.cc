@@ -23,16 +23,18 @@ void AddTables(const std::string& prefix, const Results& results, const std::str
   };
   for (const std::string& design : DesignsOf(results)) {
     const std::vector<std::string> rungs = RungsOf(results, design);
-    add("acceptance", design,
-        AcceptanceTable(results, design, group_of_all.empty() ? design : group_of_all, asked));
-    add("ladder", design, LadderTable(results, design));
-    add("budget", design, BudgetTable(results, design));
+    const std::string acceptance =
+        AcceptanceTable(results, design, group_of_all.empty() ? design : group_of_all, asked);
+    add("acceptance", design, acceptance);
     for (const auto& [name, rung] :
          {std::pair("classic", rungs.front()), std::pair("default", rungs.back())}) {
       add(name + std::string(" captures"), design, CaptureTable(results, design, rung));
       add(name + std::string(" table 5.1"), design, Table51(results, design, rung));
       add(name + std::string(" table 5.2"), design, Table52(results, design, rung));
     }
+    if (acceptance.empty()) continue;  // hard cases have no mean
+    add("ladder", design, LadderTable(results, design));
+    add("budget", design, BudgetTable(results, design));
   }
 }
 

@@ -51,6 +51,7 @@ ModelErrors ModelFromJson(const Json& json) {
 Json CaptureToJson(const CaptureResult& c) {
   Json json = {{"name", c.name}};
   if (!c.refused.empty()) json["refused"] = c.refused;
+  if (!c.warnings.empty()) json["warnings"] = c.warnings;
   if (!c.figures.empty()) json["figures"] = FiguresToJson(c.figures);
   if (!c.budget.empty()) json["budget"] = FiguresToJson(c.budget);
   for (const ModelErrors& m : c.models) json["models"].push_back(ModelToJson(m));
@@ -61,6 +62,7 @@ CaptureResult CaptureFromJson(const Json& json) {
   CaptureResult c;
   c.name = json.at("name");
   c.refused = json.value("refused", "");
+  c.warnings = json.value("warnings", std::vector<std::string>());
   if (json.contains("figures")) c.figures = FiguresFromJson(json.at("figures"));
   if (json.contains("budget")) c.budget = FiguresFromJson(json.at("budget"));
   if (json.contains("models")) {

@@ -13,8 +13,9 @@
 namespace dorsum::accuracy {
 
 struct CaptureResult {
-  std::string name;                 // of its folder
-  std::string refused;              // the product's sentence, when it gave no surface
+  std::string name;     // of its folder
+  std::string refused;  // the product's sentence, when it gave no surface
+  std::vector<std::string> warnings;
   Figures figures;                  // accuracy/score.h's, and radius_error, mm, of spheres and cylinders
   Figures budget;                   // accuracy/budget.h's, on the rungs that have one
   std::vector<ModelErrors> models;  // of boxes: §5.1, each laser and merged

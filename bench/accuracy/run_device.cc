@@ -5,11 +5,14 @@
 #include <cmath>
 #include <map>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "accuracy/budget.h"
 #include "accuracy/scene_kind.h"
 #include "accuracy/true_device.h"
 #include "jobs/calibrate.h"
 #include "jobs/reconstruct.h"
+#include "simulator/sheet_error.h"
 #include "surface/ply.h"
 
 namespace dorsum::accuracy {
@@ -43,10 +46,54 @@ Status Evaluate51(const fs::path& out, CaptureResult* result, const Context& con
   return {};
 }
 
+// Height errors that the calibrated cones alone cause; none where there are no cones.
+Figures SheetFigures(const DeviceGeometry& calibrated, const DeviceGeometry& true_device) {
+  std::vector<DiffractedFan> fans;
+  std::vector<int> orders;
+  for (const LaserGeometry& laser : true_device.lasers) {
+    fans.push_back(*laser.fan);
+    orders.push_back(laser.max_order);
+  }
+  Figures figures;
+  for (const LaserGeometry& laser : calibrated.lasers) {
+    if (!laser.fan) return {};
+  }
+  for (const SheetError& e : MeasureSheetError(calibrated, true_device.camera, fans, orders)) {
+    figures["sheet_rms"] = std::max(figures["sheet_rms"], e.rms_mm);
+    figures["sheet_worst"] = std::max(figures["sheet_worst"], e.worst_mm);
+    figures["sheet_rms_laser" + std::to_string(e.laser)] = e.rms_mm;
+  }
+  return figures;
+}
+
+struct Calibrated {
+  fs::path path;
+  std::string refused;
+  DeviceGeometry device;
+  Figures figures;
+};
+
+Result<Calibrated> Calibrate(const DeviceData& data, const DeviceGeometry& true_device,
+                             const std::string& method, const Context& context) {
+  CalibrateOptions options;
+  options.method = method;
+  Calibrated out{data.out_dir / ("calibration_" + method + ".json"), "", {}, {}};
+  const Result<CalibrationRun> run = CalibrateFolder(data.calibration_dir, out.path, options, context);
+  if (!run.ok()) {
+    if (!IsRefusal(run.error())) return run.error();
+    out.refused = run.error().message;
+    return out;
+  }
+  out.device = run->calibration.device;
+  out.figures = SheetFigures(out.device, true_device);
+  return out;
+}
+
 // What one calibrated way of working makes of one capture.
 struct Way {
   const Rung* rung;
-  fs::path calibration, out;
+  const Calibrated* calibrated;
+  fs::path out;
   bool budget;
 };
 
@@ -57,12 +104,13 @@ Result<CaptureResult> RunCapture(const DeviceData::Capture& capture, const Way& 
   result.name = capture.name;
   const fs::path out = way.out / capture.name;
   const Result<ReconstructSummary> made = ReconstructFolder(
-      {capture.capture_dir, way.calibration, out, way.rung->options, {"ply"}, false, false}, context);
+      {capture.capture_dir, way.calibrated->path, out, way.rung->options, {"ply"}, false, false}, context);
   if (!made.ok()) {
     if (!IsRefusal(made.error())) return made.error();
     result.refused = made.error().message;
     return result;
   }
+  result.warnings = made->warnings;
   DORSUM_ASSIGN_OR_RETURN(const SurfacePoints points, ReadPointsPly(out / "points.ply"));
   DORSUM_ASSIGN_OR_RETURN(const TriangleMesh mesh, ReadMeshPly(out / "surface.ply"));
   const std::optional<PointScore> score = ScorePoints(truth, points);
@@ -71,29 +119,18 @@ Result<CaptureResult> RunCapture(const DeviceData::Capture& capture, const Way& 
     return result;
   }
   result.figures = ToFigures(*score, ScoreSurface(truth, mesh, score->alignment));
+  const cv::Mat mask = cv::imread((out / "mask.png").string(), cv::IMREAD_GRAYSCALE);
+  if (mask.size() == truth.material.size()) {
+    const MaskScore of_mask = ScoreMask(truth, mask);
+    result.figures["mask_missing"] = of_mask.missing;
+    result.figures["mask_beyond"] = of_mask.beyond;
+  }
   DORSUM_RETURN_IF_ERROR(Evaluate51(out, &result, context));
   if (way.budget) {
-    DORSUM_ASSIGN_OR_RETURN(const Calibration calibration, ReadCalibration(way.calibration));
-    result.budget = ErrorBudget(truth, true_device, calibration.device, way.rung->options, points, context);
+    result.budget =
+        ErrorBudget(truth, true_device, way.calibrated->device, way.rung->options, points, context);
   }
   return result;
-}
-
-struct Calibrated {
-  fs::path path;
-  std::string refused;
-};
-
-Result<Calibrated> Calibrate(const DeviceData& data, const std::string& method, const Context& context) {
-  CalibrateOptions options;
-  options.method = method;
-  Calibrated out{data.out_dir / ("calibration_" + method + ".json"), ""};
-  const Result<CalibrationRun> run = CalibrateFolder(data.calibration_dir, out.path, options, context);
-  if (!run.ok()) {
-    if (!IsRefusal(run.error())) return run.error();
-    out.refused = run.error().message;
-  }
-  return out;
 }
 
 // (5.2): how far the errors of repeated captures differ.
@@ -129,9 +166,11 @@ Result<std::vector<DeviceResult>> RunDevice(const DeviceData& data, const std::v
     results[i].rung = rungs[i].name;
     if (!by_method.contains(rungs[i].calibration)) {
       DORSUM_ASSIGN_OR_RETURN(by_method[rungs[i].calibration],
-                              Calibrate(data, rungs[i].calibration, context));
+                              Calibrate(data, true_device, rungs[i].calibration, context));
     }
-    results[i].refused = by_method[rungs[i].calibration].refused;
+    const Calibrated& calibrated = by_method[rungs[i].calibration];
+    results[i].refused = calibrated.refused;
+    results[i].figures = calibrated.figures;
   }
   for (const DeviceData::Capture& capture : data.captures) {
     DORSUM_ASSIGN_OR_RETURN(const CaptureTruth truth, ReadCaptureTruth(capture.truth_dir, data.device_json));
@@ -140,7 +179,7 @@ Result<std::vector<DeviceResult>> RunDevice(const DeviceData& data, const std::v
       DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
       const Rung& rung = rungs[i];
       const bool budget = std::count(options.budget_of.begin(), options.budget_of.end(), rung.name) > 0;
-      const Way way{&rung, by_method[rung.calibration].path, data.out_dir / FolderName(rung.name), budget};
+      const Way way{&rung, &by_method[rung.calibration], data.out_dir / FolderName(rung.name), budget};
       DORSUM_ASSIGN_OR_RETURN(CaptureResult one, RunCapture(capture, way, truth, true_device, context));
       if (options.said) {
         const auto z = one.figures.find("z_rmse");

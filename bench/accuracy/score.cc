@@ -2,7 +2,10 @@
 #include "accuracy/score.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 #include "accuracy/object_area.h"
 #include "accuracy/stripe_match.h"
@@ -44,6 +47,15 @@ double ShareBeyond(const CaptureTruth& truth, const SurfacePoints& points) {
 }
 
 }  // namespace
+
+MaskScore ScoreMask(const CaptureTruth& truth, const cv::Mat1b& mask) {
+  if (mask.size() != truth.material.size()) throw std::logic_error("ScoreMask: images of two sizes");
+  const cv::Mat1b object = ObjectArea(truth, 0), outside = ObjectArea(truth, 3) == 0;
+  cv::Mat1b inside;
+  cv::erode(object, inside, cv::Mat1b::ones(3, 3));
+  const double area = cv::countNonZero(object);
+  return {cv::countNonZero((inside > 0) & (mask == 0)) / area, cv::countNonZero(outside & (mask > 0)) / area};
+}
 
 std::optional<PointScore> ScorePoints(const CaptureTruth& truth, const SurfacePoints& points) {
   constexpr std::size_t kFewest = 50, kFewestOfLaser = 21;

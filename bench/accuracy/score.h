@@ -47,7 +47,15 @@ std::optional<PointScore> ScorePoints(const CaptureTruth& truth, const SurfacePo
 std::optional<SurfaceScore> ScoreSurface(const CaptureTruth& truth, const TriangleMesh& mesh,
                                          const PlaneAlignment& alignment);
 
-// Figures by the names that the tables and limits use: z_rmse, surface_z_p95_abs, z_rmse_laser0 ...
+// The mask's own errors against the true outline, as shares of the object's pixels.
+struct MaskScore {
+  double missing = 0.0;  // pixels of the object, more than 1 px inside its outline, that the mask leaves out
+  double beyond = 0.0;   // pixels of the mask more than 3 px outside the object
+};
+MaskScore ScoreMask(const CaptureTruth& truth, const cv::Mat1b& mask);
+
+// Figures by the names that the tables and limits use: z_rmse, surface_z_p95_abs, z_rmse_laser0 ...;
+// mask_missing and mask_beyond are the mask's.
 using Figures = std::map<std::string, double>;
 Figures ToFigures(const PointScore& points, const std::optional<SurfaceScore>& surface);
 

@@ -37,6 +37,17 @@ Collected Collect(const Results& results, const std::string& design, const std::
   return out;
 }
 
+Collected CollectDevices(const Results& results, const std::string& design, const std::string& rung) {
+  Collected out;
+  for (const DeviceResult& d : results.devices) {
+    if (d.design != design || d.rung != rung) continue;
+    ++out.captures;
+    out.refused += d.refused.empty() ? 0 : 1;
+    for (const auto& [name, value] : d.figures) out.figures[name].push_back(value);
+  }
+  return out;
+}
+
 std::vector<std::string> DesignsOf(const Results& results) {
   std::vector<std::string> names;
   for (const DeviceResult& d : results.devices) AddOnce(d.design, &names);

@@ -20,6 +20,9 @@ struct Collected {
 // repeat_difference the merged RMSE's difference (5.2) of each pair of repeats.
 Collected Collect(const Results& results, const std::string& design, const std::string& rung, SceneKind kind);
 
+// Figures of the calibrations of a design's devices; `captures` counts devices.
+Collected CollectDevices(const Results& results, const std::string& design, const std::string& rung);
+
 // Designs and rungs in the order in which they were run.
 std::vector<std::string> DesignsOf(const Results& results);
 std::vector<std::string> RungsOf(const Results& results, const std::string& design);

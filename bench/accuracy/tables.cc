@@ -36,32 +36,38 @@ double Worst(const std::vector<double>& values, const Limit& limit) {
                            [&](double a, double b) { return margin(a) < margin(b); });
 }
 
+std::string Share(std::ptrdiff_t some, std::size_t all) {
+  return "**" + std::to_string(some) + " of " + std::to_string(all) + "**";
+}
+
 }  // namespace
 
 std::string AcceptanceTable(const Results& results, const std::string& design, const std::string& group,
                             const LimitTable& asked) {
   const std::vector<std::string> rungs = RungsOf(results, design);
+  if (rungs.empty()) return "";
   MarkdownTable table({"scene", "figure", "asked", "mean", "worst", "missed by"});
-  for (const SceneKind kind : kKinds) {
-    const auto limits = asked.find(group + " / " + KindName(kind));
-    if (limits == asked.end() || rungs.empty()) continue;
-    const Collected reached = Collect(results, design, rungs.back(), kind);
+  bool any = false;
+  const auto judge = [&](const std::string& scene, const Collected& reached) {
+    const auto limits = asked.find(group + " / " + scene);
+    if (limits == asked.end()) return;
+    any = true;
     for (const auto& [figure, limit] : limits->second) {
       const std::vector<double>& values = Values(reached.figures, figure);
       if (values.empty()) continue;
       const auto missed =
           std::count_if(values.begin(), values.end(), [&](double v) { return !limit.Holds(v); });
-      table.Row(
-          {KindName(kind), "`" + figure + "`", limit.Text(), Fixed(Mean(values)), Fixed(Worst(values, limit)),
-           missed == 0 ? "–"
-                       : "**" + std::to_string(missed) + " of " + std::to_string(values.size()) + "**"});
+      table.Row({scene, "`" + figure + "`", limit.Text(), Fixed(Mean(values)), Fixed(Worst(values, limit)),
+                 missed == 0 ? "–" : Share(missed, values.size())});
     }
     if (reached.refused > 0) {
-      table.Row({KindName(kind), "refused", "0", "–", "–",
-                 "**" + std::to_string(reached.refused) + " of " + std::to_string(reached.captures) + "**"});
+      table.Row({scene, "refused", "0", "–", "–",
+                 Share(reached.refused, static_cast<std::size_t>(reached.captures))});
     }
-  }
-  return table.text();
+  };
+  for (const SceneKind kind : kKinds) judge(KindName(kind), Collect(results, design, rungs.back(), kind));
+  judge("calibration", CollectDevices(results, design, rungs.back()));
+  return any ? table.text() : "";
 }
 
 std::string LadderTable(const Results& results, const std::string& design) {
@@ -69,7 +75,10 @@ std::string LadderTable(const Results& results, const std::string& design) {
                                    "wrong",
                                    "complete",
                                    "stray",
+                                   "beyond",
                                    "sigma_ratio",
+                                   "mask_missing",
+                                   "mask_beyond",
                                    "surface_z_rmse",
                                    "surface_z_median_abs",
                                    "surface_z_p95_abs",
@@ -107,6 +116,8 @@ std::string BudgetTable(const Results& results, const std::string& design) {
       for (const char* part : kParts) row.push_back(Fixed(Rms(Values(reached.budget, part))));
       row.push_back(Fixed(Rms(Values(reached.figures, "surface_z_rmse"))));
       row.push_back(Fixed(Rms(Values(reached.budget, "fusion"))));
+      row.push_back(Fixed(MeanOrNan(Values(reached.figures, "surface_z_p95_abs"))));
+      row.push_back(Fixed(MeanOrNan(Values(reached.budget, "fusion_p95_abs"))));
       table.Row(row);
     }
   }
@@ -136,11 +147,12 @@ std::string CaptureTable(const Results& results, const std::string& design, cons
     if (d.design != design || d.rung != rung) continue;
     if (!d.refused.empty()) refused += "\nRefused to calibrate `" + d.seed + "`: " + d.refused + "\n";
     for (const CaptureResult& c : d.captures) {
+      const std::string who = "`" + c.name + "`" + (d.seed.empty() ? "" : " of `" + d.seed + "`");
       if (!c.refused.empty()) {
-        refused += "\nRefused: `" + c.name + "`" + (d.seed.empty() ? "" : " of `" + d.seed + "`") + ": " +
-                   c.refused + "\n";
+        refused += "\nRefused: " + who + ": " + c.refused + "\n";
         continue;
       }
+      for (const std::string& warning : c.warnings) refused += "\nWarned: " + who + ": " + warning + "\n";
       std::vector<std::string> row = {d.seed.empty() ? "–" : d.seed, c.name,
                                       Fixed(c.figures.at("points"), 0)};
       for (const char* figure : kFigures) {

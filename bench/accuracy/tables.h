@@ -9,7 +9,7 @@
 namespace dorsum::accuracy {
 
 // What is asked of a design beside what the last rung reached: mean and worst over its captures, and how many
-// captures miss it. `group` names the design in `asked`.
+// captures miss it. `group` names the design in `asked`; nothing when it is not there.
 std::string AcceptanceTable(const Results& results, const std::string& design, const std::string& group,
                             const LimitTable& asked);
 

@@ -14,6 +14,7 @@
 #include "simulator/capture_writer.h"
 #include "simulator/named_scene.h"
 #include "simulator/small_device_test.h"
+#include "simulator/truth.h"
 
 namespace dorsum::accuracy {
 namespace {
@@ -28,7 +29,10 @@ TEST(TruthFilesTest, TheVirtualDevicesTruthIsReadBack) {
   const auto stage = SetStage(device, BuildNamedScene(device, *name, device.seed, device.seed), {});
   ASSERT_TRUE(stage.ok());
   std::filesystem::create_directories(folder / "truth/box");
-  ASSERT_TRUE(WriteTruth(device, *stage, folder / "truth/box", {}).ok());
+  ASSERT_TRUE(WriteSurfaceTruth(*stage, folder / "truth/box").ok());
+  for (int k = 0; k < static_cast<int>(device.lasers.size()); ++k) {
+    ASSERT_TRUE(WriteStripeTruth(device, *stage, k, folder / "truth/box", {}).ok());
+  }
   ASSERT_TRUE(WriteJson(folder / "truth/device.json", DeviceToJson(device)).ok());
 
   const auto truth = ReadCaptureTruth(folder / "truth/box", folder / "truth/device.json");
