@@ -9,6 +9,7 @@ endif()
 
 dorsum_find(Threads)
 dorsum_find(ZLIB)
+dorsum_find(JPEG)
 dorsum_find(TBB CONFIG)
 dorsum_find(Eigen3 3.4 CONFIG)
 dorsum_find(nlohmann_json 3.11 CONFIG)

@@ -43,13 +43,17 @@ function(_dorsum_add_test name)
   add_executable(dorsum_${name}_test ${arg_SOURCES})
   target_link_libraries(dorsum_${name}_test PRIVATE
     Dorsum::${name} ${arg_DEPENDS} ${arg_LINK} GTest::gmock GTest::gmock_main)
+  set(timeout 300)
+  if(DORSUM_SANITIZE)
+    set(timeout 1800)  # up to twenty times as slow
+  endif()
   # Run from the source folder, so that a test may name a file of the repository by its relative path.
   gtest_discover_tests(dorsum_${name}_test
     TEST_PREFIX "${name}."
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
-    PROPERTIES TIMEOUT 300 LABELS ${name})
+    PROPERTIES TIMEOUT ${timeout} LABELS ${name})
 endfunction()
 
 function(_dorsum_install_layer name headers)

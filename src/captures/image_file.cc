@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "captures/image_header.h"
+#include "captures/jpeg_image.h"
 
 namespace dorsum {
 namespace {
@@ -54,6 +55,11 @@ Result<cv::Mat> DecodeImage(const std::string& bytes, const std::string& name,
   const Result<ImageHeader> header = ReadImageHeader(bytes);
   if (!header.ok()) return BadInput(name + " " + header.error().message + "; copy or capture it again");
   DORSUM_RETURN_IF_ERROR(CheckHeader(*header, name, expected));
+  if (header->format == "JPEG") {
+    const cv::Mat image = DecodeJpeg(bytes, {header->width, header->height});
+    if (image.empty()) return BadInput(name + " is damaged; copy or capture it again");
+    return image;
+  }
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   cv::Mat image;
   try {

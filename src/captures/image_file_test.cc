@@ -93,6 +93,9 @@ TEST(ImageFile, DamageInsideIsAnErrorNotAnException) {
   std::string header = Encode(".png", Noise(20, 30, CV_8UC3));
   header[19] = 31;  // the width disagrees with the data and the checksum
   EXPECT_FALSE(DecodeImage(header, "a.png").ok());
+  std::string jpeg = Encode(".jpg", Noise(20, 30, CV_8UC3));
+  jpeg.replace(jpeg.size() / 2 + 200, 40, 40, '\0');
+  EXPECT_THAT(MessageOf(DecodeImage(jpeg, "a.jpg")), AllOf(HasSubstr("a.jpg"), HasSubstr("damaged")));
 }
 
 TEST(ImageFile, AFolderAndAMissingFileAreNoImages) {

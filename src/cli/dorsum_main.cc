@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -9,6 +10,20 @@
 #include "cli/commands.h"
 
 namespace {
+
+// What is wrong with the command line, as one sentence with where to look it up.
+std::string UsageSentence(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> rest = app.remaining();
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  std::string sentence = error.what();
+  if (commands.empty() && !rest.empty() && rest.front()[0] != '-') {
+    sentence = "there is no command " + rest.front();
+  } else if (!sentence.empty()) {
+    sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+  }
+  const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
+  return sentence + "; see dorsum " + command + "--help";
+}
 
 int RunProgram(int argc, char** argv) {
   dorsum::Session session;
@@ -28,14 +43,9 @@ int RunProgram(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> rest = app.remaining();
-    if (app.get_subcommands().empty() && !rest.empty() && rest.front()[0] != '-') {
-      std::fprintf(stderr, "There is no command %s\nRun with --help for more information.\n",
-                   rest.front().c_str());
-      return dorsum::ExitCode(dorsum::ErrorCode::kUsage);
-    }
     const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-    return app.exit(error) == 0 && asked ? 0 : dorsum::ExitCode(dorsum::ErrorCode::kUsage);
+    if (asked) return app.exit(error);  // --help or --version
+    session.Fail({dorsum::ErrorCode::kUsage, UsageSentence(app, error)});
   }
   return session.Finish();
 }

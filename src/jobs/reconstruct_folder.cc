@@ -16,6 +16,8 @@
 namespace dorsum {
 namespace {
 
+constexpr const char* kStageFolder = "stages";  // below the output folder
+
 Status WritePng(const std::filesystem::path& path, const cv::Mat& image) {
   std::vector<unsigned char> bytes;
   if (!cv::imencode(".png", image, bytes))
@@ -94,11 +96,18 @@ Status WriteOutputs(const std::filesystem::path& dir, const ReconstructRequest& 
 void RemoveEarlierFiles(const std::filesystem::path& dir, const std::vector<std::string>& written) {
   std::vector<std::string> ours = {"height.tiff", "height.json", "report.html", "overview.png"};
   for (const std::string& format : MeshFormats()) ours.push_back("surface." + format);
+  const std::filesystem::path stages = dir / kStageFolder;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(stages, ignored)) {
+    if (entry.path().extension() == ".png")
+      ours.push_back(kStageFolder + ("/" + entry.path().filename().string()));
+  }
   for (const std::string& name : ours) {
-    std::error_code ignored;
     if (std::find(written.begin(), written.end(), name) == written.end())
       std::filesystem::remove(dir / name, ignored);
   }
+  if (std::filesystem::is_directory(stages, ignored) && std::filesystem::is_empty(stages, ignored))
+    std::filesystem::remove(stages, ignored);
 }
 
 }  // namespace
@@ -114,7 +123,7 @@ Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, 
   for (const LaserGeometry& laser : ready.calibration.device.lasers) lasers.push_back(laser.laser);
   DORSUM_ASSIGN_OR_RETURN(const CaptureImages capture, LoadCapture(request.capture_dir, {}, lasers));
   DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(request.out_dir));
-  StageFolder stages(staged.path() / "stages");
+  StageFolder stages(staged.path() / kStageFolder);
   Context inner = context;
   if (request.stages) inner.sink = &stages;
   DORSUM_ASSIGN_OR_RETURN(const Reconstruction result, Reconstruct(capture, ready, request.options, inner));

@@ -202,7 +202,10 @@ TEST(ReconstructTest, LeavesNoFileOfAnEarlierRunBesideItsOwn) {
   const TempFolder dir;
   ReconstructRequest request = RequestFor(ScanFixture::CaptureDir(ScanFixture::kBox), dir / "out");
   request.mesh_formats = {"ply", "stl"};
+  request.stages = true;
   ASSERT_TRUE(ReconstructFolder(request, {}).ok());
+  EXPECT_EQ(Names(dir / "out").count("stages"), 1U);
+  request.stages = false;
   request.mesh_formats = {"ply"};
   request.report = false;
   request.capture_dir = ScanFixture::CaptureDir(ScanFixture::kHand);

@@ -31,7 +31,10 @@ void AddPart(RTCDevice device, RTCScene scene, const ScenePart& part, unsigned i
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
   auto* faces = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.faces.size()));
-  if (vertices == nullptr || faces == nullptr) throw std::runtime_error("Embree: no memory for a mesh");
+  if (vertices == nullptr || faces == nullptr) {
+    rtcReleaseGeometry(geometry);
+    throw std::runtime_error("Embree: no memory for a mesh");
+  }
   for (const Eigen::Vector3d& v : mesh.vertices) {
     for (int i = 0; i < 3; ++i) *vertices++ = static_cast<float>(v[i]);
   }

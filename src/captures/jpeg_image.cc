@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "captures/jpeg_image.h"
+
+#include <csetjmp>
+#include <cstdio>  // jpeglib.h needs it
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+namespace dorsum {
+namespace {
+
+struct JpegErrors {
+  jpeg_error_mgr manager{};
+  std::jmp_buf escape{};
+  bool damaged = false;
+};
+
+JpegErrors& ErrorsOf(j_common_ptr info) { return *static_cast<JpegErrors*>(info->client_data); }
+
+// libjpeg's functions must not return from a fatal error, and C cannot be thrown through.
+[[noreturn]] void OnFatalError(j_common_ptr info) { std::longjmp(ErrorsOf(info).escape, 1); }
+
+void OnMessage(j_common_ptr info, int level) {
+  if (level >= 0) return;  // a trace, no warning
+  const jpeg_error_mgr& message = *info->err;
+  switch (message.msg_code) {
+    case JWRN_JFIF_MAJOR:
+    case JWRN_ADOBE_XFORM:
+    case JWRN_BOGUS_ICC:
+      return;  // odd, but the pixels are not touched
+    case JWRN_EXTRANEOUS_DATA: {
+      const int stray_bytes = message.msg_parm.i[0], next_marker = message.msg_parm.i[1];
+      if (next_marker == JPEG_EOI && stray_bytes <= kJpegPadding) return;
+      break;
+    }
+    default:
+      break;
+  }
+  ErrorsOf(info).damaged = true;
+}
+
+// Nothing here may need a destructor: OnFatalError jumps over it.
+bool DecodeInto(cv::Mat* image, std::string_view bytes, JpegErrors* errors) {
+  jpeg_decompress_struct info{};
+  info.err = jpeg_std_error(&errors->manager);
+  info.client_data = errors;
+  errors->manager.error_exit = OnFatalError;
+  errors->manager.emit_message = OnMessage;
+  if (setjmp(errors->escape) != 0) {
+    jpeg_destroy_decompress(&info);
+    return false;
+  }
+  jpeg_create_decompress(&info);
+  jpeg_mem_src(&info, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  jpeg_read_header(&info, TRUE);
+  info.out_color_space = JCS_EXT_BGR;
+  jpeg_start_decompress(&info);
+  const bool fits = info.output_width == static_cast<JDIMENSION>(image->cols) &&
+                    info.output_height == static_cast<JDIMENSION>(image->rows);
+  while (fits && !errors->damaged && info.output_scanline < info.output_height) {
+    JSAMPROW row = image->ptr(static_cast<int>(info.output_scanline));
+    jpeg_read_scanlines(&info, &row, 1);
+  }
+  const bool whole = fits && !errors->damaged;
+  if (whole) jpeg_finish_decompress(&info);  // reads on to the end marker
+  jpeg_destroy_decompress(&info);
+  return whole && !errors->damaged;
+}
+
+}  // namespace
+
+cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size) {
+  cv::Mat image(size, CV_8UC3);
+  JpegErrors errors;
+  return DecodeInto(&image, bytes, &errors) ? image : cv::Mat();
+}
+
+}  // namespace dorsum

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include <opencv2/core.hpp>
+
+namespace dorsum {
+
+// Decodes a colour JPEG of this size to BGR (CV_8UC3), with the same values as cv::imdecode. Unlike it,
+// refuses one whose compressed data is damaged, with an empty image, and writes nothing to the standard
+// error. Damage is known by codes that do not exist and by too much or too little data; ITU-T T.81 has no
+// checksum, so a few changed bytes that leave neither go unseen. Up to kJpegPadding stray bytes before the
+// end marker pass: some webcams write them.
+cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size);
+
+inline constexpr int kJpegPadding = 16;  // bytes
+
+}  // namespace dorsum
