@@ -35,6 +35,7 @@ struct SheetPoint {
   double u = 0.0, v = 0.0;     // px
   double sd_px = 0.0;          // one standard deviation of u
   double orders_per_px = 0.0;  // size of d(order)/du on that plane
+  double peak = 0.0;           // brightness, grey values
   double mm_per_px = 0.0;      // size of dx/du on that plane
 };
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
+
+#include "calibration/dim_stripes.h"
 
 namespace dorsum {
 namespace {
@@ -74,37 +75,6 @@ std::string FormSentence(const DiffractedFan& fan, double bow_sd) {
   return lean + " and is bowed, neither flat nor a cone";
 }
 
-// Orders of which the backplane shows much less than of their neighbours, and stretches that are missing from
-// the middle of a stripe: an order that the grating makes too dim, or dirt on it.
-std::vector<std::string> MissingStripes(const BundleCalibration& c, int laser, int min_order, int max_order) {
-  std::map<int, std::vector<double>> rows;
-  for (const SheetPoint& p : c.data.points) {
-    if (p.laser == laser && p.plane == 0) rows[p.order].push_back(p.v);
-  }
-  std::vector<std::string> found;
-  for (int m = min_order; m <= max_order; ++m) {
-    std::vector<double>& mine = rows[m];
-    const double beside = 0.5 * static_cast<double>(rows[std::max(min_order, m - 1)].size() +
-                                                    rows[std::min(max_order, m + 1)].size());
-    if (m > min_order && m < max_order && static_cast<double>(mine.size()) < 0.4 * beside) {
-      found.push_back("order " + std::to_string(m) + " is hardly seen on the backplane");
-      continue;
-    }
-    std::sort(mine.begin(), mine.end());
-    double widest = 0.0, at = 0.0;
-    for (std::size_t i = 1; i < mine.size(); ++i) {
-      if (mine[i] - mine[i - 1] <= widest) continue;
-      widest = mine[i] - mine[i - 1];
-      at = mine[i - 1];
-    }
-    if (mine.size() > 10 && widest > 0.1 * c.device.camera.height) {
-      found.push_back("order " + std::to_string(m) + " is missing on rows " + Fixed(at, 0) + " to " +
-                      Fixed(at + widest, 0));
-    }
-  }
-  return found;
-}
-
 // What is wrong with a laser, worst first; raises the grade.
 std::vector<std::string> Complaints(const BundleCalibration& c, std::size_t index,
                                     const BundleVerdictOptions& o, Grade* grade) {
@@ -131,10 +101,10 @@ std::vector<std::string> Complaints(const BundleCalibration& c, std::size_t inde
     complaints.push_back("the cones leave a pattern of " + Fixed(c.pattern_mm[index], 3) +
                          " mm along the stripes, so the model does not explain this laser");
   }
-  const std::vector<std::string> missing =
-      MissingStripes(c, static_cast<int>(index), laser.min_order, laser.max_order);
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, missing.size()); ++i) complaints.push_back(missing[i]);
-  if (!missing.empty()) {
+  const std::vector<std::string> dim =
+      FindDimStripes(c.data.points, static_cast<int>(index), c.device.camera.height);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, dim.size()); ++i) complaints.push_back(dim[i]);
+  if (!dim.empty()) {
     raise(Grade::kDoubtful);
     complaints.back() += " (dirt on the grating, or too short an exposure?)";
   }

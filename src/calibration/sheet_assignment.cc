@@ -88,6 +88,7 @@ class Assigner {
       point.u = p.u;
       point.v = p.v;
       point.sd_px = p.sd_px;
+      point.peak = p.peak;
       if (!(std::abs(OrderMiss(state_, point)) <= options_.tolerance)) continue;
       point.orders_per_px = std::abs(Order(picture.laser, fit.plane, p.u + 0.5, p.v) -
                                      Order(picture.laser, fit.plane, p.u - 0.5, p.v));

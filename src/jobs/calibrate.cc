@@ -124,6 +124,7 @@ Result<std::string> MakeReport(const CalibrationSeries& series, const Calibratio
   data.title = "Calibration from " + (clean.has_filename() ? clean : clean.parent_path()).filename().string();
   data.method = run.calibration.method;
   data.classic = run.classic;
+  if (run.bundle) data.residuals = run.bundle->residuals;
   data.correction = run.correction;
   data.parts = run.calibration.parts;
   data.warnings = run.calibration.warnings;

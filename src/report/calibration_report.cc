@@ -2,12 +2,16 @@
 #include "report/calibration_report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 
 #include "report/board_pictures.h"
 #include "report/correction_pictures.h"
 #include "report/drawing.h"
 #include "report/html.h"
 #include "report/photo_pictures.h"
+#include "report/sheet_residual_pictures.h"
 
 namespace dorsum {
 namespace {
@@ -20,7 +24,10 @@ void AddVerdict(HtmlPage& page, const CalibrationReportData& data) {
                                         [&](const PartReport& part) { return part.grade == grade; }));
   };
   page.Warnings(data.warnings);
-  std::vector<HtmlFact> facts = {{"Lasers", std::to_string(data.classic.lasers.size()), ""},
+  std::set<int> lasers;
+  for (const LaserCalibration& laser : data.classic.lasers) lasers.insert(laser.laser);
+  for (const SheetResidual& r : data.residuals) lasers.insert(r.laser);
+  std::vector<HtmlFact> facts = {{"Lasers", std::to_string(lasers.size()), ""},
                                  {"Board views", std::to_string(data.classic.camera.views.size()), ""}};
   if (data.sources > 0) facts.push_back({"Files read", std::to_string(data.sources), ""});
   if (!data.parts.empty()) {
@@ -135,6 +142,47 @@ void AddLasers(HtmlPage& page, const CalibrationReportData& data) {
   page.Figures(backgrounds);
 }
 
+HtmlTable ResidualTable(const std::vector<SheetResidual>& residuals) {
+  std::map<std::pair<int, double>, std::pair<double, std::pair<double, int>>> cells;
+  for (const SheetResidual& r : residuals) {
+    if (std::abs(r.miss_mm) > 0.5) continue;
+    auto& [sum, more] = cells[{r.laser, r.height_mm}];
+    sum += r.miss_mm;
+    more.first += r.miss_mm * r.miss_mm;
+    ++more.second;
+  }
+  HtmlTable table;
+  table.header = {"Laser", "Height (mm)", "Points", "Mean (mm)", "RMS (mm)"};
+  for (const auto& [key, cell] : cells) {
+    const double n = cell.second.second;
+    table.rows.push_back({std::to_string(key.first), FormatNumber(key.second, 1),
+                          std::to_string(cell.second.second), FormatNumber(cell.first / n, 4),
+                          FormatNumber(std::sqrt(cell.second.first / n), 4)});
+  }
+  return table;
+}
+
+void AddResiduals(HtmlPage& page, const std::vector<SheetResidual>& residuals) {
+  if (residuals.empty()) return;
+  page.Section(
+      "Light sheets",
+      "How far each stripe point on a plane of known height lies off its light sheet, in millimetres on that "
+      "plane: dots are points, lines their means, one colour for each height. Noise alone scatters evenly "
+      "about "
+      "zero. Lines that bend together along y speak of a wrong form of the fan, lines that fan out with the "
+      "height of a wrong height or a laser that moved.");
+  std::set<int> lasers;
+  for (const SheetResidual& r : residuals) lasers.insert(r.laser);
+  const SheetResidualScales scales = ScalesOf(residuals);
+  for (const int laser : lasers) {
+    page.Figures({{DrawSheetResidualsOverY(residuals, laser, scales), ImageKind::kDrawing,
+                   LaserName(laser) + ", along the stripes."},
+                  {DrawSheetResidualsOverOrder(residuals, laser, scales), ImageKind::kDrawing,
+                   LaserName(laser) + ", order by order."}});
+  }
+  page.Table(ResidualTable(residuals));
+}
+
 void AddCorrection(HtmlPage& page, const std::vector<LaserCorrection>& correction) {
   if (correction.empty()) return;
   page.Section(
@@ -176,6 +224,7 @@ std::string MakeCalibrationReport(const CalibrationReportData& data) {
   AddVerdict(page, data);
   AddEvaluation(page, data.evaluation);
   AddCamera(page, data);
+  AddResiduals(page, data.residuals);
   AddLasers(page, data);
   AddCorrection(page, data.correction);
   if (!data.settings.empty()) {

@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "calibration/bundle_calibration.h"
 #include "calibration/classic_calibration.h"
 #include "calibration/correction_fit.h"
 #include "calibration/verdict.h"
@@ -23,8 +24,9 @@ struct LaserCorrection {
 // What is known of one calibration. Anything may be empty; the report then leaves it out.
 struct CalibrationReportData {
   std::string title = "Calibration";
-  std::string method;  // "classic"
+  std::string method;  // "bundle", "classic"
   ClassicCalibration classic;
+  std::vector<SheetResidual> residuals;  // of the cones
   std::vector<LaserCorrection> correction;
   std::vector<PartReport> parts;          // all parts with grades, the correction among them
   std::vector<EvaluationRow> evaluation;  // on the boxes, if it was done
