@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/reconstruct.h"
 
+#include <cstdio>
+
 #include "captures/image_file.h"
 #include "jobs/find_object.h"
 #include "surface/height_mesh.h"
@@ -42,9 +44,27 @@ Status CheckSheets(const ReconstructOptions& options, const DeviceGeometry& devi
 void DropOutliers(const std::vector<PointVerdict>& verdicts, SurfacePoints* points) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points->size(); ++i) {
-    if (verdicts[i] != PointVerdict::kOutlier) (*points)[kept++] = (*points)[i];
+    const bool contradicted =
+        verdicts[i] == PointVerdict::kMisplaced || verdicts[i] == PointVerdict::kOutlier;
+    if (!contradicted) (*points)[kept++] = (*points)[i];
   }
   points->resize(kept);
+}
+
+// The lasers are lit one after the other: what moves in between lies elsewhere in the later pictures.
+Status CheckStill(const std::vector<LaserConsistency>& lasers) {
+  constexpr double kMaxShiftMm = 0.5, kMinSignificance = 8.0;
+  const LaserConsistency* worst = nullptr;
+  for (const LaserConsistency& one : lasers) {
+    if (one.samples == 0 || one.shift_significance < kMinSignificance) continue;
+    if (worst == nullptr || one.shift_mm.norm() > worst->shift_mm.norm()) worst = &one;
+  }
+  if (worst == nullptr || worst->shift_mm.norm() <= kMaxShiftMm) return {};
+  char text[16];
+  std::snprintf(text, sizeof text, "%.1f", worst->shift_mm.norm());
+  return BadInput("the hand moved while it was captured: laser " + std::to_string(worst->laser) +
+                  " sees it about " + text +
+                  " mm beside where the other lasers do; keep it still and capture again");
 }
 
 }  // namespace
@@ -100,11 +120,16 @@ Result<Reconstruction> Reconstruct(const CaptureImages& capture, const ReadyCali
   context.Report("fusion", 0.8);
   const Camera& camera = ready.calibration.device.camera;
   if (ResolveStages(options).fusion == "robust") {
-    RobustFusion fusion = FuseRobust(out.points, camera, out.mask.mask, options.robust_fusion, context);
+    RobustFusionOptions robust = options.robust_fusion;
+    robust.pitch_mm = options.height_field.pitch_mm;
+    RobustFusion fusion = FuseRobust(out.points, camera, out.mask.mask, robust, context);
+    DORSUM_RETURN_IF_ERROR(CheckStill(fusion.lasers));
     DropOutliers(fusion.verdicts, &out.points);
-    out.contradicted = fusion.outliers;
+    out.contradicted = fusion.misplaced + fusion.outliers;
     out.height_field = std::move(fusion.field);
     out.mesh = std::move(fusion.mesh);
+    out.consistency = std::move(fusion.lasers);
+    out.offsets = std::move(fusion.offsets);
   } else {
     out.height_field = FuseHeightField(out.points, camera, out.mask.mask, options.height_field, context);
     out.mesh = MeshHeightField(out.height_field);

@@ -14,6 +14,7 @@
 #include "jobs/reconstruct_options.h"
 #include "stripes/stripes.h"
 #include "surface/height_field.h"
+#include "surface/robust_fusion.h"
 #include "surface/surface_point.h"
 
 namespace dorsum {
@@ -25,8 +26,10 @@ struct Reconstruction {
   SurfacePoints points;
   HeightField height_field;
   TriangleMesh mesh;
-  int without_order = 0, without_sheet = 0;  // stripe points that gave no surface point
-  int contradicted = 0;                      // surface points left out, since the others contradict them
+  int without_order = 0, without_sheet = 0;   // stripe points that gave no surface point
+  std::vector<LaserConsistency> consistency;  // each laser against the surface of the others (robust fusion)
+  std::vector<LaserOffset> offsets;           // heights of each laser against the mean of all (robust fusion)
+  int contradicted = 0;                       // surface points left out, since the others contradict them
   std::vector<std::string> warnings;
 };
 

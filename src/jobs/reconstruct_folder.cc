@@ -48,6 +48,18 @@ Json ReportJson(const ReconstructRequest& request, const Reconstruction& result,
                       {"segments_without_order", d.left_out},
                       {"index_corrections", d.corrections}});
   }
+  Json offsets = Json::array();
+  for (const LaserOffset& o : result.offsets) {
+    offsets.push_back({{"laser", o.laser}, {"offset_mm", o.mean_mm}, {"sd_mm", o.sd_mm}});
+  }
+  Json shifts = Json::array();
+  for (const LaserConsistency& c : result.consistency) {
+    if (c.samples == 0) continue;
+    shifts.push_back({{"laser", c.laser},
+                      {"shift_mm", {c.shift_mm.x(), c.shift_mm.y(), c.shift_mm.z()}},
+                      {"sd_mm", {c.shift_sd_mm.x(), c.shift_sd_mm.y(), c.shift_sd_mm.z()}},
+                      {"significance", c.shift_significance}});
+  }
   return {{"schema", "dorsum/report"},
           {"version", 1},
           {"program", kVersion},
@@ -67,6 +79,8 @@ Json ReportJson(const ReconstructRequest& request, const Reconstruction& result,
           {"mask_threshold", result.mask.threshold},
           {"mask_area_share", result.mask.area_share},
           {"lasers", lasers},
+          {"height_offsets", offsets},
+          {"shifts_against_other_lasers", shifts},
           {"warnings", result.warnings}};
 }
 

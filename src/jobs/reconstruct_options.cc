@@ -16,10 +16,10 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
         "a stripe keeps its order where any other costs this much more (joint)");
   t.Add("indexing-surface-margin", &o->joint_indexing.min_surface_margin, 0.0, 1000.0,
         "the same for a whole surface");
-  t.Add("fusion-stiffness", &o->robust_fusion.stiffness, 0.001, 1e6,
-        "weight of the surface's curvature (robust)");
-  t.Add("fusion-reach-mm", &o->robust_fusion.max_distance_mm, 0.5, 50.0,
-        "how far from a point the surface goes on, mm (robust)");
+  t.Add("fusion-beyond-mm", &o->robust_fusion.max_beyond_mm, 0.0, 50.0,
+        "how far the surface goes on beyond the last points, mm (robust)");
+  t.Add("fusion-gap-mm", &o->robust_fusion.max_gap_mm, 1.0, 100.0,
+        "widest gap between points that closes, mm (robust)");
   t.Add("mask-open-px", &o->hand_mask.open_px, 1, 99, "side of the mask's opening, px");
   t.Add("mask-min-contrast", &o->hand_mask.min_contrast, 0.0, 255.0,
         "least contrast of the object, 255ths of the background");
