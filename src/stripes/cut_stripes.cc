@@ -85,20 +85,21 @@ std::vector<Flanks> FlanksAlong(const cv::Mat& green, const std::vector<StripePo
   return flanks;
 }
 
-double MedianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+double Quantile(std::vector<double> values, double share) {
+  const auto middle =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-// Width at half the peak where the segment is whole: the median of its rows, since the rest may be cut. A
+// Width at half the peak where the segment is whole: more than half of its rows may be cut. A
 // short segment may be cut throughout; there, twice the longer flank tells, or the image's usual width.
 double WholeWidth(const std::vector<Flanks>& flanks, double usual) {
   const bool is_short = flanks.size() < 40;
   std::vector<double> widths;
   for (const Flanks& f : flanks)
     widths.push_back(is_short ? 2.0 * std::max(f.left, f.right) : f.left + f.right);
-  const double width = MedianOf(std::move(widths));
+  const double width = Quantile(std::move(widths), is_short ? 0.5 : 0.6);
   return is_short ? std::max(width, usual) : width;
 }
 
@@ -146,7 +147,7 @@ double WholeAmplitude(const std::vector<StripePoint>& points, const std::vector<
       peaks.push_back(static_cast<double>(points[at + away].peak));
     }
   }
-  return peaks.size() < kRows ? 0.0 : MedianOf(std::move(peaks));
+  return peaks.size() < kRows ? 0.0 : Quantile(std::move(peaks), 0.5);
 }
 
 // Fits a row again with the width held; the window never leaves [start.first, start.last].

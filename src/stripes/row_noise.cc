@@ -12,6 +12,9 @@ namespace {
 
 // A curve needs about this many rows before its own scale counts as much as everybody's.
 constexpr double kOwnRows = 100.0;
+// Formal deviations come from noise seen in the same image; rows that agree better than this share of them do
+// so because rounding made them alike.
+constexpr double kLeastScale = 0.7;
 constexpr std::size_t kProducts = 5;  // rows apart: 0 to 4
 
 using Products = std::array<double, kProducts>;
@@ -172,8 +175,9 @@ RowNoise MeasureRowNoise(const RowNoiseOptions& options, std::vector<StripeCurve
   }
   noise.correlation = CorrelationOf(weights.residual, ObservedProducts(residuals, scales, straight));
   const double seen = std::sqrt(ExpectedProducts(weights.residual, noise.correlation)[0]);
-  noise.scale = usual / seen;
-  for (std::size_t i = 0; i < scales.size(); ++i) noise.per_curve[i] = scales[i] / seen;
+  noise.scale = std::max(kLeastScale, usual / seen);
+  for (std::size_t i = 0; i < scales.size(); ++i)
+    noise.per_curve[i] = std::max(kLeastScale, scales[i] / seen);
   return noise;
 }
 

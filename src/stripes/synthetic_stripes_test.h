@@ -93,7 +93,7 @@ inline double CentreBound(double u, double amplitude, double sigma_px, double ba
 
 struct SyntheticScore {
   double recall = 0.0;       // true stripe points with a point of their own within 3 px in their row
-  double false_share = 0.0;  // points that no true one is matched to
+  double false_share = 0.0;  // points without a true one within 3 px
   double rmse_px = 0.0;      // of the matched ones
   double bound_px = 0.0;     // root mean square of CentreBound over the same points
   double sigma_ratio = 0.0;  // root mean square of error over the point's own sd_px
@@ -106,8 +106,14 @@ inline SyntheticScore ScoreSyntheticStripes(const SyntheticStripes& scene, const
   for (const StripePoint& p : found.points) rows[static_cast<std::size_t>(std::lround(p.v))].push_back(p);
   const SyntheticStripeDesign& d = scene.design;
   const double spacing = static_cast<double>(d.width) / d.stripes;
-  double total = 0.0, matched = 0.0, error = 0.0, bound = 0.0, normal = 0.0;
+  double total = 0.0, matched = 0.0, strays = 0.0, error = 0.0, bound = 0.0, normal = 0.0;
   for (std::size_t v = 0; v < rows.size(); ++v) {
+    for (const StripePoint& p : rows[v]) {
+      const auto is_near = [&p](const SyntheticTruth& t) {
+        return std::abs(static_cast<double>(p.u) - t.u) < 3.0;
+      };
+      if (std::none_of(scene.truth[v].begin(), scene.truth[v].end(), is_near)) strays += 1.0;
+    }
     std::vector<char> taken(rows[v].size(), 0);
     for (const SyntheticTruth& t : scene.truth[v]) {
       if (t.u < 3.0 * d.sigma_px || t.u > d.width - 1.0 - 3.0 * d.sigma_px) continue;
@@ -132,7 +138,7 @@ inline SyntheticScore ScoreSyntheticStripes(const SyntheticStripes& scene, const
   }
   SyntheticScore score;
   score.recall = matched / std::max(1.0, total);
-  score.false_share = 1.0 - matched / std::max(1.0, static_cast<double>(found.points.size()));
+  score.false_share = strays / std::max(1.0, static_cast<double>(found.points.size()));
   score.rmse_px = std::sqrt(error / std::max(1.0, matched));
   score.bound_px = std::sqrt(bound / std::max(1.0, matched));
   score.sigma_ratio = std::sqrt(normal / std::max(1.0, matched));
