@@ -50,7 +50,9 @@ class Builder {
     for (const float zi : z) {
       for (const float yj : y) {
         const double d = std::isnan(zi) || std::isnan(yj) ? 40.0 : zi - yj;
-        edge.heights[k++] += static_cast<float>(observations * std::log1p(d * d / (scale * scale)));
+        edge.heights[k++] +=
+            static_cast<float>(observations * options_.most_cost *
+                               (1.0 - std::pow(1.0 + d * d / (scale * scale), -1.0 / options_.most_cost)));
       }
     }
   }

@@ -15,9 +15,10 @@ struct JointGraphOptions {
   double independent_rows =
       10.0;  // rows of two stripes that count as one observation, since surfaces are smooth
   double most_observations = 8.0;  // that one pair of pieces may give
-  double scale_mm = 0.7,
-         scale_slope = 0.4;  // height difference that is nothing special: scale + slope * distance
-  double volume_cost = 4.0;  // of one observation outside the working volume
+  double scale_mm = 0.4,
+         scale_slope = 0.25;  // height difference that is nothing special: scale + slope * distance
+  double most_cost = 4.0;     // towards which the cost of a height difference grows, for one observation
+  double volume_cost = 4.0;   // of one observation outside the working volume
   double volume_tolerance_mm = 0.7;
   double backplane_start = 8.0;         // for being on the backplane at all
   double backplane_bonus = 6.0;         // and for each observation there

@@ -19,7 +19,7 @@ struct JointIndexingOptions {
   // A piece keeps its order only where every other choice costs this much more: of the piece alone, and of
   // the whole surface that it is part of.
   double min_own_margin = 1.0;
-  double min_surface_margin = 8.0;
+  double min_surface_margin = 5.0;
 };
 
 // Orders for the stripes of all lasers together, those on the object as well as those on the backplane.

@@ -11,7 +11,7 @@ namespace dorsum {
 struct JointInferenceOptions {
   MessagePassingOptions messages;
   int cluster_rounds = 10;      // of shifting whole surfaces, 0 to 100
-  double smooth_cost = 0.7;     // cost of one observation below which two pieces are on one surface
+  double smooth_cost = 1.15;    // cost of one observation below which two pieces are on one surface
   double most_for_steps = 2.0;  // what all steps at a surface's edges together may say of its height
 };
 
