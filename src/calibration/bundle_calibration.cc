@@ -8,6 +8,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/parallel.h"
+#include "calibration/bundle_functions.h"
 #include "calibration/bundle_verdicts.h"
 #include "calibration/chessboard.h"
 #include "captures/image_file.h"

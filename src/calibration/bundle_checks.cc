@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "calibration/bundle_functions.h"
 #include "geometry/calibration.h"
 
 namespace dorsum {

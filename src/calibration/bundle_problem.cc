@@ -8,6 +8,8 @@
 #include <ceres/ceres.h>
 #include <ceres/normal_prior.h>
 
+#include "calibration/bundle_functions.h"
+
 namespace dorsum {
 namespace {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/bundle_functions.h"
+
 namespace dorsum {
 namespace {
 
