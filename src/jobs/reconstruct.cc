@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/reconstruct.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "captures/image_file.h"
@@ -51,20 +53,43 @@ void DropOutliers(const std::vector<PointVerdict>& verdicts, SurfacePoints* poin
   points->resize(kept);
 }
 
-// The lasers are lit one after the other: what moves in between lies elsewhere in the later pictures.
-Status CheckStill(const std::vector<LaserConsistency>& lasers) {
-  constexpr double kMaxShiftMm = 0.5, kMinSignificance = 8.0;
-  const LaserConsistency* worst = nullptr;
+// How far two lasers put the object apart along one axis, mm: each against the others, in opposite
+// directions, and both known well. A plane says nothing about its own directions, so a single laser's shift
+// is no proof.
+double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis) {
+  constexpr double kMinShiftMm = 0.3, kMaxSdMm = 0.08, kMinSignificance = 8.0;
+  double up = 0.0, down = 0.0;
   for (const LaserConsistency& one : lasers) {
-    if (one.samples == 0 || one.shift_significance < kMinSignificance) continue;
-    if (worst == nullptr || one.shift_mm.norm() > worst->shift_mm.norm()) worst = &one;
+    const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];
+    if (one.samples == 0 || sd > kMaxSdMm || std::abs(shift) < std::max(kMinShiftMm, kMinSignificance * sd))
+      continue;
+    up = std::max(up, shift);
+    down = std::min(down, shift);
   }
-  if (worst == nullptr || worst->shift_mm.norm() <= kMaxShiftMm) return {};
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1f", worst->shift_mm.norm());
-  return BadInput("the hand moved while it was captured: laser " + std::to_string(worst->laser) +
-                  " sees it about " + text +
-                  " mm beside where the other lasers do; keep it still and capture again");
+  return up > 0.0 && down < 0.0 ? up - down : 0.0;
+}
+
+// The lasers are lit one after the other: what moves in between lies elsewhere in the later pictures. What
+// reaches out of the working volume gets orders that put every laser at another height.
+Status CheckAgreement(const std::vector<LaserConsistency>& lasers, const DeviceGeometry& device) {
+  const double beside = std::max(ShiftBetweenLasers(lasers, 0), ShiftBetweenLasers(lasers, 1));
+  const double above = ShiftBetweenLasers(lasers, 2);
+  char text[256];
+  if (above > 1.0) {
+    std::snprintf(
+        text, sizeof text,
+        "the lasers put the object at heights that differ by %.1f mm: it reaches out of the working volume "
+        "of %.0f to %.0f mm, or moved while it was captured; place it lower and capture again",
+        above, device.min_height_mm, device.max_height_mm);
+    return BadInput(text);
+  }
+  if (beside == 0.0 && above == 0.0) return {};
+  std::snprintf(
+      text, sizeof text,
+      "the object moved by about %.1f mm while it was captured, since the lasers see it at different "
+      "places; keep still and capture again",
+      std::max(beside, above));
+  return BadInput(text);
 }
 
 }  // namespace
@@ -123,7 +148,7 @@ Result<Reconstruction> Reconstruct(const CaptureImages& capture, const ReadyCali
     RobustFusionOptions robust = options.robust_fusion;
     robust.pitch_mm = options.height_field.pitch_mm;
     RobustFusion fusion = FuseRobust(out.points, camera, out.mask.mask, robust, context);
-    DORSUM_RETURN_IF_ERROR(CheckStill(fusion.lasers));
+    DORSUM_RETURN_IF_ERROR(CheckAgreement(fusion.lasers, ready.calibration.device));
     DropOutliers(fusion.verdicts, &out.points);
     out.contradicted = fusion.misplaced + fusion.outliers;
     out.height_field = std::move(fusion.field);
