@@ -193,7 +193,7 @@ std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, doub
     for (const JointSample& s : p.samples) {
       const double z = s.z[k];
       const double excess = std::isnan(z) ? 10.0 : std::max(low - z, z - high) - options.volume_tolerance_mm;
-      outside += std::clamp(excess, 0.0, 1.0);
+      outside += std::clamp(excess / options.volume_tolerance_mm, 0.0, 1.0);
       if (!std::isnan(z))
         on_backplane += std::clamp(2.0 - std::abs(z) / options.backplane_tolerance_mm, 0.0, 1.0);
     }

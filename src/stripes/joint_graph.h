@@ -18,8 +18,8 @@ struct JointGraphOptions {
   double scale_mm = 0.4,
          scale_slope = 0.25;  // height difference that is nothing special: scale + slope * distance
   double most_cost = 4.0;     // towards which the cost of a height difference grows, for one observation
-  double volume_cost = 4.0;   // of one observation outside the working volume
-  double volume_tolerance_mm = 0.7;
+  double volume_cost = 6.0;   // of one observation outside the working volume
+  double volume_tolerance_mm = 0.4;     // and what noise and calibration may do; twice that costs it all
   double backplane_start = 8.0;         // for being on the backplane at all
   double backplane_bonus = 6.0;         // and for each observation there
   double backplane_tolerance_mm = 0.4;  // within which height 0 is met; at twice that nothing is left of it
