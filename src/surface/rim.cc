@@ -103,7 +103,8 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
     }
   });
   // One step of averaging along the outline, weighted with what each place knows.
-  const double prior = 1.0;
+  // An amplitude is taken as zero as surely as 1 mm of a stripe's points with 0.2 mm of profile would say.
+  const double prior = 0.2 / options.mm_per_px;
   for (int r = 0; r < size.height; ++r) {
     for (int c = 0; c < size.width; ++c) {
       double sum = 0.0, weight = prior;

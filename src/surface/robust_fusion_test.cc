@@ -18,10 +18,10 @@ double Slab(double x, double y) {
   return std::abs(x) < 40.0 && std::abs(y) < 20.0 ? 20.0 + 0.1 * x - 0.05 * y : kNothing;
 }
 
-// Two fingers of radius 9 mm along x, 4 mm apart.
+// Two fingers of radius 9 mm along x with round ends, 4 mm apart.
 double Fingers(double x, double y) {
-  const double across = std::abs(y) - 11.0;
-  return std::abs(x) < 40.0 && std::abs(across) < 9.0 ? 10.0 + std::sqrt(81.0 - across * across) : kNothing;
+  const double square = std::pow(std::abs(y) - 11.0, 2) + std::pow(std::max(0.0, std::abs(x) - 31.0), 2);
+  return square < 81.0 ? 10.0 + std::sqrt(81.0 - square) : kNothing;
 }
 
 struct Errors {
@@ -65,11 +65,10 @@ TEST(RobustFusionTest, NoSkinGrowsBetweenFingersAndTheirFlanksAreRound) {
   const RobustFusion f = FuseRobust(s.points, s.camera, s.mask, {});
   for (const Eigen::Vector3d& p : f.mesh.vertices) EXPECT_GT(std::abs(p.y()), 1.5);
   // Where the flank is less steep than 64 degrees.
-  const Errors e = Against(f.field, [](double x, double y) {
-    return std::abs(std::abs(y) - 11.0) < 8.1 ? Fingers(x, y) : kNothing;
-  });
-  EXPECT_LT(e.rms, 0.03);
-  EXPECT_LT(e.worst, 0.3);
+  const Errors e =
+      Against(f.field, [](double x, double y) { return Fingers(x, y) > 14.0 ? Fingers(x, y) : kNothing; });
+  EXPECT_LT(e.rms, 0.06);
+  EXPECT_LT(e.worst, 0.6);
 }
 
 TEST(RobustFusionTest, NoiseIsAveragedAndAStepStaysAStep) {
