@@ -163,6 +163,7 @@ std::vector<LaserConsistency> CompareLasers(const std::vector<PlateSample>& samp
   std::map<int, int> present;
   for (const std::uint8_t laser : lasers) ++present[laser];
   std::vector<LaserConsistency> out;
+  out.reserve(present.size());
   for (const auto& [laser, count] : present) out.push_back({.laser = laser});
   if (out.size() < 2) return out;
   std::vector<std::vector<Residual>> all;
