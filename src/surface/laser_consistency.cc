@@ -15,6 +15,8 @@ namespace dorsum {
 namespace {
 
 constexpr int kBins = 5;  // of the distance to the nearest other stripe
+// A surface that follows its samples leaves residuals that are smaller than their errors.
+constexpr double kResidualsToErrors = 2.0;
 
 // One sample against the surface of the other lasers.
 struct Residual {
@@ -148,7 +150,7 @@ void FitShift(const std::vector<Residual>& residuals, const std::vector<double>&
   Matrix scatter = known;
   for (const auto& [patch, g] : patches) scatter += g * g.transpose();
   const Matrix inverse = normal.inverse();
-  *covariance = inverse * scatter * inverse;
+  *covariance = kResidualsToErrors * kResidualsToErrors * inverse * scatter * inverse;
 }
 
 }  // namespace
@@ -161,6 +163,7 @@ std::vector<LaserConsistency> CompareLasers(const std::vector<PlateSample>& samp
   std::map<int, int> present;
   for (const std::uint8_t laser : lasers) ++present[laser];
   std::vector<LaserConsistency> out;
+  out.reserve(present.size());
   for (const auto& [laser, count] : present) out.push_back({.laser = laser});
   if (out.size() < 2) return out;
   std::vector<std::vector<Residual>> all;

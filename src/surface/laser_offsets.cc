@@ -9,6 +9,15 @@
 #include <Eigen/Core>
 
 namespace dorsum {
+namespace {
+
+// A surface that follows its samples leaves residuals that are smaller than their errors.
+constexpr double kResidualsToErrors = 2.0;
+// mm; a surface's own relief between stripes passes for an offset up to about this much (measured on hands
+// without noise).
+constexpr double kRelief = 0.01;
+
+}  // namespace
 
 std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& samples,
                                               const std::vector<std::uint8_t>& lasers,
@@ -70,7 +79,8 @@ std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& sa
   const Eigen::MatrixXd covariance = centred * inverse * scatter * inverse * centred;
   for (Eigen::Index k = 0; k < n; ++k) {
     out[static_cast<std::size_t>(k)].mean_mm = means[k];
-    out[static_cast<std::size_t>(k)].sd_mm = std::sqrt(covariance(k, k));
+    out[static_cast<std::size_t>(k)].sd_mm =
+        std::hypot(kResidualsToErrors * std::sqrt(covariance(k, k)), kRelief);
   }
   return out;
 }

@@ -177,12 +177,14 @@ class Gradients {
 
   template <class Body>
   double SumRows(const Body& body) {
-    constexpr int kBlock = 16;  // rows for one call
-    const int blocks = (s_.rows - 2 * Stencil::kFrame + kBlock - 1) / kBlock;
+    constexpr int kBlockNodes = 16384;  // for one call: less is done sooner than handed over
+    const int block = std::max(1, kBlockNodes / s_.cols), rows = s_.rows - 2 * Stencil::kFrame;
+    const int blocks = (rows + block - 1) / block;
     const auto wide = static_cast<std::size_t>(s_.cols);
     ParallelFor(context_, 0, blocks, [&](std::int64_t b) {
-      const auto first = static_cast<std::size_t>(Stencil::kFrame + b * kBlock);
-      const std::size_t last = std::min(first + kBlock, static_cast<std::size_t>(s_.rows - Stencil::kFrame));
+      const auto first = static_cast<std::size_t>(Stencil::kFrame + b * block);
+      const std::size_t last = std::min(first + static_cast<std::size_t>(block),
+                                        static_cast<std::size_t>(s_.rows - Stencil::kFrame));
       for (std::size_t r = first; r < last; ++r) partial_[r] = body(r * wide, (r + 1) * wide);
     });
     double sum = 0.0;

@@ -15,8 +15,9 @@ void SquaredCurvature(const PlateLattice& l, double step_mm, cv::Mat1f* curvatur
   *weight = cv::Mat1f(l.z.size(), 0.0F);
   const auto scale = static_cast<float>(1.0 / std::pow(step_mm, 4));
   for (int r = 1; r + 1 < l.z.rows; ++r) {
-    const std::uint8_t *a0 = l.active.ptr(r - 1), *a1 = l.active.ptr(r), *a2 = l.active.ptr(r + 1);
-    const float *z0 = l.z.ptr<float>(r - 1), *z1 = l.z.ptr<float>(r), *z2 = l.z.ptr<float>(r + 1);
+    const auto *a0 = l.active.ptr<std::uint8_t>(r - 1), *a1 = l.active.ptr<std::uint8_t>(r),
+               *a2 = l.active.ptr<std::uint8_t>(r + 1);
+    const auto *z0 = l.z.ptr<float>(r - 1), *z1 = l.z.ptr<float>(r), *z2 = l.z.ptr<float>(r + 1);
     for (int c = 1; c + 1 < l.z.cols; ++c) {
       if (a1[c] == 0 || a1[c - 1] == 0 || a1[c + 1] == 0 || a0[c] == 0 || a2[c] == 0 || a2[c + 1] == 0)
         continue;

@@ -6,7 +6,7 @@
 namespace dorsum {
 namespace {
 
-constexpr double kStepPx = 8.0;
+constexpr double kStepPx = 4.0;
 
 }  // namespace
 

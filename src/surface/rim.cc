@@ -12,7 +12,7 @@
 namespace dorsum {
 namespace {
 
-constexpr double kStepPx = 20.0;  // between the places at which the amplitude is found
+constexpr double kStepMm = 4.0;  // between the places at which the amplitude is found
 
 struct Amplitude {
   double value = 0.0, information = 0.0;
@@ -62,10 +62,11 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
          const Context& context)
     : outline_(outline), options_(options) {
   const cv::Rect& b = outline.bounds();
+  const double step_px = kStepMm / options.mm_per_px;
   amplitude_.u0 = b.x;
   amplitude_.v0 = b.y;
-  amplitude_.step_px = kStepPx;
-  const cv::Size size(static_cast<int>(b.width / kStepPx) + 2, static_cast<int>(b.height / kStepPx) + 2);
+  amplitude_.step_px = step_px;
+  const cv::Size size(static_cast<int>(b.width / step_px) + 2, static_cast<int>(b.height / step_px) + 2);
   amplitude_.active = cv::Mat1b(size, std::uint8_t{255});
   amplitude_.z = cv::Mat1f(size, 0.0F);
 
@@ -73,19 +74,19 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
   std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(size.area()));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PlateSample& s = samples[i];
-    const long c = std::lround((s.u - b.x) / kStepPx), r = std::lround((s.v - b.y) / kStepPx);
+    const long c = std::lround((s.u - b.x) / step_px), r = std::lround((s.v - b.y) / step_px);
     if (c < 0 || r < 0 || c >= size.width || r >= size.height) continue;
     if (s.weight <= 0.0F || outline.Distance(s.u, s.v) * options.mm_per_px > options.reach_mm) continue;
     cells[static_cast<std::size_t>(r * size.width + c)].push_back(static_cast<std::uint32_t>(i));
   }
   std::vector<Amplitude> found(cells.size());
-  const int span = static_cast<int>(std::ceil(reach / kStepPx));
+  const int span = static_cast<int>(std::ceil(reach / step_px));
   ParallelFor(context, 0, size.height, [&](std::int64_t row) {
     std::vector<Row> rows;
     for (int c = 0; c < size.width; ++c) {
       const int r = static_cast<int>(row);
       const double u = amplitude_.U(c), v = amplitude_.V(r);
-      if (std::abs(outline.Distance(u, v)) > kStepPx) continue;
+      if (std::abs(outline.Distance(u, v)) > step_px) continue;
       rows.clear();
       for (int y = std::max(0, r - span); y <= std::min(size.height - 1, r + span); ++y) {
         for (int x = std::max(0, c - span); x <= std::min(size.width - 1, c + span); ++x) {
@@ -102,7 +103,8 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
     }
   });
   // One step of averaging along the outline, weighted with what each place knows.
-  const double prior = 1.0;
+  // An amplitude is taken as zero as surely as 1 mm of a stripe's points with 0.2 mm of profile would say.
+  const double prior = 0.2 / options.mm_per_px;
   for (int r = 0; r < size.height; ++r) {
     for (int c = 0; c < size.width; ++c) {
       double sum = 0.0, weight = prior;

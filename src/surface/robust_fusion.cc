@@ -137,9 +137,9 @@ class Fuser {
     return rim;
   }
 
-  // A small offset is taken off as far as it is known; a large one is a movement, which no offset mends.
+  // An offset that is surely there is taken off; a large one is a movement, which no offset mends.
   void LevelLasers(PlateLattice* level) {
-    constexpr int kIterations = 600;
+    constexpr int kIterations = 400;
     PlateOptions exact = plate_;
     exact.max_iterations = kIterations;
     exact.tolerance = 1e-5;
@@ -150,10 +150,8 @@ class Fuser {
     std::array<float, 256> off{};
     for (const LaserOffset& one : out_.offsets) {
       if (std::abs(one.mean_mm) > options_.max_offset_mm) return;
-      const double known = one.mean_mm * one.mean_mm, variance = one.sd_mm * one.sd_mm;
-      if (known > 0.0) {
-        off[static_cast<std::size_t>(one.laser)] =
-            static_cast<float>(one.mean_mm * known / (known + variance));
+      if (std::abs(one.mean_mm) > options_.offset_sigmas * one.sd_mm) {
+        off[static_cast<std::size_t>(one.laser)] = static_cast<float>(one.mean_mm);
       }
     }
     for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].z -= off[lasers_[i]];

@@ -23,7 +23,8 @@ struct RobustFusionOptions {
   double max_slope_deg = 81.0;  // against the image plane; steeper is a depth jump and stays open, 10 to 89
   double outlier_mm = 2.0;      // a point further from the surface than this, 0.1 to 50, and than
   double outlier_sigmas = 8.0;  // that many of its own sigma, 1 to 100, is an outlier
-  double max_offset_mm = 0.5;   // a laser's height offset up to this is taken off before merging, 0: never
+  double offset_sigmas = 3.0;   // a laser's height offset that is this many times its sd, 1 to 100, and
+  double max_offset_mm = 0.5;   // not more than this is taken off before merging, 0: never
 };
 
 enum class PointVerdict : std::uint8_t {
@@ -47,10 +48,10 @@ struct RobustFusion {
 // (plate.h) with the points' variances as weights, Geman-McClure's weights against outliers and a stiffness
 // that follows the surface (plate_stiffness.h), from coarse to fine, on top of the rim term (rim.h) that lets
 // flanks fall as steeply as rounded bodies do. Stripes with wrong orders are found first
-// (stripe_agreement.h). Each laser is compared with the surface of the others (laser_consistency.h); its
-// height offset is taken off as far as it is known, offset^3 / (offset^2 + sd^2), so that the mean over the
-// lasers stays. The mesh is cut at the outline; the height field is the mesh seen from above. `mask`:
-// CV_8UC1, not 0 on the object, of the captured image's size.
+// (stripe_agreement.h). Each laser is compared with the surface of the others (laser_consistency.h), and
+// offsets in height that are surely there (laser_offsets.h) are taken off. The mesh is cut at the outline;
+// the height field is the mesh seen from above. `mask`: CV_8UC1, not 0 on the object, of the captured image's
+// size.
 RobustFusion FuseRobust(const SurfacePoints& points, const Camera& camera, const cv::Mat& mask,
                         const RobustFusionOptions& options, const Context& context = {});
 
