@@ -32,12 +32,14 @@ std::vector<Rung> Ladder() {
   // Our calibration holds the planes too, so the other stages can follow one by one.
   const std::string calibration = CalibrateOptions{}.method;
   step("calibration " + calibration, take(&rung.calibration, calibration));
-  step("mask " + ours.mask, take(&o.mask, ours.mask));
   step("stripes " + ours.stripes, take(&o.stripes, ours.stripes));
   step("indexing " + ours.indexing, take(&o.indexing, ours.indexing));
   const bool corrected = take(&o.correction, ours.correction);
   step("sheets " + ours.sheets, take(&o.sheets, ours.sheets) || corrected);
+  // The mask comes late: it is cut from stripes whose orders and places are known.
+  step("mask " + ours.mask, take(&o.mask, ours.mask));
   step("fusion " + ours.fusion, take(&o.fusion, ours.fusion));
+  if (ladder.size() > 1) ladder.back().name += " (default)";
   return ladder;
 }
 

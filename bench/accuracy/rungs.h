@@ -10,7 +10,7 @@ namespace dorsum::accuracy {
 
 // One way of going from images to a surface: a rung of the ladder from the document's method to ours.
 struct Rung {
-  std::string name;         // "classic", "+ mask refined", ...
+  std::string name;         // "classic", "+ stripes ridge", ...
   std::string calibration;  // method of calibrating
   ReconstructOptions options;
 };
