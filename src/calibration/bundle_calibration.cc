@@ -290,9 +290,8 @@ class Bundler {
     bool any = false;
     for (const HeightCheck& h : out_.heights) {
       HeightPlane& plane = out_.data.planes[static_cast<std::size_t>(h.plane)];
-      constexpr double kUnknown = 100.0;  // mm
-      if (!HeightIsWrong(h, options_.verdicts) || plane.sd_mm >= kUnknown) continue;
-      plane.sd_mm = kUnknown;
+      if (!HeightIsWrong(h, options_.verdicts) || plane.sd_mm >= kUnknownHeightSd) continue;
+      plane.sd_mm = kUnknownHeightSd;
       solution_.state.planes[static_cast<std::size_t>(h.plane)][0] = h.fitted_mm;
       any = true;
     }

@@ -107,8 +107,12 @@ Result<std::vector<SeriesCheck>> CheckSeries(const BundleData& data, const Bundl
   std::vector<SeriesCheck> checks;
   for (std::size_t k = 0; k < state.fans.size(); ++k) {
     const BundleData all = OneLaser(data, static_cast<int>(k), kThin);
+    // Heights as given, since a laser that moved pulls at those that were fitted.
     BundleState start = state;
     start.fans = {state.fans[k]};
+    for (std::size_t i = 1; i < start.planes.size(); ++i) {
+      if (data.planes[i].sd_mm < kUnknownHeightSd) start.planes[i] = {data.planes[i].given_mm, 0.0, 0.0};
+    }
     std::set<int> sources;
     for (const SheetPoint& p : all.points) sources.insert(p.source);
     for (const int source : sources) {

@@ -19,6 +19,9 @@ struct BoardView {
   int plane = -1;                        // index of the plane on which the board lies; -1: held freely
 };
 
+// A plane's sd_mm that means that its height is not known at all.
+inline constexpr double kUnknownHeightSd = 100.0;
+
 // A plane of known height: the backplane, the calibration object's top, a box's top.
 struct HeightPlane {
   std::string name;

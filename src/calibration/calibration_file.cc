@@ -119,9 +119,8 @@ Status ReadCone(const Json& json, const std::string& where, LaserGeometry* laser
     known = true;
   }
   if (!known) reader.Fail("form", "must be flat, conical or general");
-  // Files of the first version know the two plain forms only.
-  if (fan.form == FanForm::kGeneral || reader.Has("bow")) fan.bow = reader.Number("bow", -1.0, 1.0);
-  if (reader.Has("turn_rad")) fan.turn = reader.Number("turn_rad", -0.5, 0.5);
+  fan.bow = reader.Number("bow", -1.0, 1.0);
+  fan.turn = reader.Number("turn_rad", -0.5, 0.5);
   Eigen::Matrix3d axes;
   axes << fan.a, fan.b, fan.n;
   if ((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm() > 1e-6) {

@@ -55,6 +55,31 @@ std::string MessageOfChanged(const std::function<void(Json&)>& change) {
   return MessageOf(json);
 }
 
+TEST(CalibrationFile, KeepsEveryFormOfFan) {
+  for (const FanForm form : {FanForm::kFlat, FanForm::kConical, FanForm::kGeneral}) {
+    Calibration c = Whole();
+    DiffractedFan fan = c.device.lasers[1].fan.value_or(DiffractedFan{});
+    fan.form = form;
+    fan.bow = 0.0123;
+    fan.turn = -1.0 / 300.0;
+    c.device.lasers[1].fan = fan;
+    const auto read = CalibrationFromJson(CalibrationToJson(c), "calibration.json");
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    const DiffractedFan back = read->device.lasers[1].fan.value_or(DiffractedFan{});
+    EXPECT_EQ(back.form, form);
+    EXPECT_EQ(back.turn, fan.turn);
+    EXPECT_EQ(EffectiveBow(back), EffectiveBow(fan));
+  }
+}
+
+TEST(CalibrationFile, AFanThatMakesNoSenseIsNamed) {
+  const auto cone = [](Json& json) -> Json& { return json["lasers"][1]["cone"]; };
+  EXPECT_THAT(MessageOfChanged([&](Json& j) { cone(j)["form"] = "round"; }),
+              HasSubstr("flat, conical or general"));
+  EXPECT_THAT(MessageOfChanged([&](Json& j) { cone(j)["bow"] = 7.0; }), HasSubstr("bow"));
+  EXPECT_THAT(MessageOfChanged([&](Json& j) { cone(j)["turn_rad"] = nullptr; }), HasSubstr("turn_rad"));
+}
+
 TEST(CalibrationFile, TheRoundTripIsExact) {
   const TempFolder folder;
   const Calibration written = Whole();

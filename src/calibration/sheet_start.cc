@@ -238,6 +238,11 @@ Result<SheetStart> EstimateSheets(const Camera& camera, const LaserStripes& far,
     return Median(steps);
   };
   const double ratio = spacing(near_numbered) / std::max(1e-9, spacing(far_numbered));
+  const Error swapped = BadInput(
+      "the stripes of " + who +
+      " on the backplane and on the calibration object do not belong to one grating; are the Closer and "
+      "Further images swapped?");
+  if (!(ratio < 0.999)) return swapped;  // they must lie closer together nearer to the grating
   SheetStart best;
   Section best_section = Section::Zero();
   double least = 1e300;
@@ -269,12 +274,7 @@ Result<SheetStart> EstimateSheets(const Camera& camera, const LaserStripes& far,
     for (const Numbered& l : all) square += std::pow(l.x - PredictX(s, l.order, l.z), 2);
     best.rms_mm = std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, all.size())));
   }
-  if (least >= 1e300) {
-    return BadInput(
-        "the stripes of " + who +
-        " on the backplane and on the calibration object do not belong to one grating; are the Closer "
-        "and Further images swapped?");
-  }
+  if (least >= 1e300) return swapped;
   std::vector<double> slopes;
   for (const StripeLine& line : on_far) slopes.push_back(line.slope);
   best.fan = FanOf(best_section, Median(slopes));

@@ -67,7 +67,7 @@ TEST(UsageTest, ValuesThatAnOptionDoesNotTakeAreNamed) {
   ExpectUsageError(with("--pitch-mm", "nan"), "--pitch-mm");
   ExpectUsageError(with("--pitch-mm", "0"), "--pitch-mm");
   ExpectUsageError(with("--threads", "-1"), "--threads");
-  ExpectUsageError({"calibrate", "in", "-o", "c.json", "--method", "bundle"}, "bundle");
+  ExpectUsageError({"calibrate", "in", "-o", "c.json", "--method", "guess"}, "guess");
   ExpectUsageError({"evaluate", "out", "--fit", "cube"}, "cube");
   ExpectUsageError({"evaluate", "out", "--plane-height", "nan"}, "--plane-height");
   ExpectUsageError({"evaluate", "out", "--plane-height", "3", "--shrink-px", "-1"}, "--shrink-px");

@@ -47,6 +47,50 @@ TEST(LightSheet, LocateFindsTheRayThatDiffractedRayMade) {
   }
 }
 
+TEST(LightSheet, LocateFindsTheRaysOfATurnedAndBowedFan) {
+  for (const double bow : {-0.05, 0.0, 0.08}) {
+    DiffractedFan fan = Fan(FanForm::kGeneral, 0.06);
+    fan.bow = bow;
+    fan.turn = 0.03;
+    for (const int m : {-10, -1, 0, 7}) {
+      for (const double beta : {-0.38, 0.0, 0.25}) {
+        const auto ray = DiffractedRay(fan, m, beta);
+        ASSERT_TRUE(ray.has_value());
+        const auto at = Locate(fan, ray->At(410.0));
+        ASSERT_TRUE(at.has_value());
+        EXPECT_NEAR(at->Order(fan), m, 1e-9);
+        EXPECT_NEAR(at->beta, beta, 1e-11);
+        EXPECT_LT((at->exit - ray->origin).norm(), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(LightSheet, TheGeneralFormHoldsThePlainOnes) {
+  for (const FanForm form : {FanForm::kFlat, FanForm::kConical}) {
+    const DiffractedFan plain = Fan(form, 0.1);
+    DiffractedFan general = plain;
+    general.bow = EffectiveBow(plain);
+    general.form = FanForm::kGeneral;
+    for (const double beta : {-0.4, 0.0, 0.3})
+      EXPECT_EQ(IncomingAlpha(general, beta), IncomingAlpha(plain, beta));
+    EXPECT_EQ(EffectiveBow(plain), form == FanForm::kFlat ? std::sin(0.1) : 0.0);
+  }
+}
+
+// A fan's plane that is turned about the grating's normal meets the grating in a turned line.
+TEST(LightSheet, ATurnedFlatFanIsAPlaneToo) {
+  DiffractedFan fan = Fan(FanForm::kFlat, 0.0);
+  fan.turn = 0.05;
+  const Eigen::Vector3d normal = (fan.a - fan.turn * fan.b).normalized();
+  for (const double beta : {-0.35, -0.1, 0.2, 0.35}) {
+    const auto ray = DiffractedRay(fan, 0, beta);
+    ASSERT_TRUE(ray.has_value());
+    EXPECT_NEAR(normal.dot(ray->direction), 0.0, 1e-14);
+    EXPECT_NEAR(normal.dot(ray->origin - fan.origin), 0.0, 1e-12);
+  }
+}
+
 // A laser's fan is a plane of rays from one point; the grating adds m * step to one direction cosine and
 // keeps the other. Traced here ray by ray, without the closed forms of the code.
 TEST(LightSheet, FlatFanIsAPlaneOfRaysFromOnePoint) {

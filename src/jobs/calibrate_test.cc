@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/calibrate.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "base/random.h"
 #include "base/temp_folder_test.h"
 #include "captures/names.h"
 #include "jobs/reconstruct.h"
 #include "jobs/scan_fixture_test.h"
+#include "simulator/sheet_error.h"
 #include "simulator/virtual_device.h"
 
 namespace dorsum {
@@ -125,11 +129,76 @@ TEST(CalibrateTest, ADeviceWithoutOneOfTheLasersWorks) {
   }
 }
 
-TEST(CalibrateTest, WithoutBoxesHeightsStayUncorrectedAndThatIsSaid) {
+TEST(CalibrateTest, ConesGiveTrueHeightsOverTheWholeVolume) {
+  const Result<Calibration> calibration = ReadCalibration(ScanFixture::CalibrationJson());
+  ASSERT_TRUE(calibration.ok()) << calibration.error().message;
+  EXPECT_EQ(calibration->method, "bundle");
+  const std::vector<SheetError> errors = MeasureSheetError(calibration->device, TrueDevice());
+  ASSERT_EQ(errors.size(), 3U);
+  for (const SheetError& e : errors) {
+    EXPECT_GT(e.points, 500U);
+    EXPECT_EQ(e.lost, 0U);
+    EXPECT_LT(e.rms_mm, 0.04) << "laser " << e.laser;  // of pixels three times as coarse as usual
+    const LaserGeometry* laser = calibration->device.FindLaser(e.laser);
+    ASSERT_NE(laser, nullptr);
+    EXPECT_GT(laser->residual_mm, 0.2 * e.rms_mm) << "too sure of itself";
+    EXPECT_LT(laser->residual_mm, 0.2);
+  }
+}
+
+// The document's planes stand in the same file, count orders alike and belong to the same camera.
+TEST(CalibrateTest, PlanesAndConesOfOneFileAgreeOnTheBackplane) {
+  const Result<Calibration> calibration = ReadCalibration(ScanFixture::CalibrationJson());
+  ASSERT_TRUE(calibration.ok());
+  for (const LaserGeometry& laser : calibration->device.lasers) {
+    ASSERT_FALSE(laser.planes.empty());
+    ASSERT_TRUE(laser.fan.has_value());
+    EXPECT_LE(laser.min_order, -5);
+    EXPECT_GE(laser.max_order, 5);
+    const Eigen::Vector2d pixel = Project(calibration->device.camera, {20.0, 0.0, 0.0});
+    const auto by_plane = OrderAtHeight(calibration->device.camera, laser, SheetModel::kPlane, pixel, 0.0);
+    const auto by_cone = OrderAtHeight(calibration->device.camera, laser, SheetModel::kCone, pixel, 0.0);
+    ASSERT_TRUE(by_plane && by_cone);
+    EXPECT_NEAR(by_plane.value_or(1e9), by_cone.value_or(-1e9), 0.1) << laser.laser;
+  }
+}
+
+TEST(CalibrateTest, ConesNeedNoBoxes) {
   const TempFolder dir;
   ScanFixture::CopyFolder(ScanFixture::CalibrationDir(), dir / "series");
   fs::remove_all(dir / "series" / kHeightsFolder);
   const auto run = CalibrateFolder(dir / "series", dir / "c.json", {}, {});
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  for (const PartReport& part : run->calibration.parts) EXPECT_EQ(part.grade, Grade::kGood) << part.verdict;
+  for (const SheetError& e : MeasureSheetError(run->calibration.device, TrueDevice()))
+    EXPECT_LT(e.rms_mm, 0.06) << e.laser;
+}
+
+TEST(CalibrateTest, AWrongHeightInSetupIsSaidAndDoesNoHarm) {
+  const TempFolder dir;
+  ScanFixture::CopyFolder(ScanFixture::CalibrationDir(), dir / "series");
+  auto setup = ReadJson(dir / "series" / kSetupName);
+  ASSERT_TRUE(setup.ok());
+  (*setup)["calibration_object_height_mm"] = 51.4;
+  ASSERT_TRUE(WriteJson(dir / "series" / kSetupName, *setup).ok());
+  const auto run = CalibrateFolder(dir / "series", dir / "c.json", {}, {});
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  const auto& parts = run->calibration.parts;
+  const auto heights =
+      std::find_if(parts.begin(), parts.end(), [](const auto& p) { return p.part == "known heights"; });
+  ASSERT_NE(heights, parts.end());
+  EXPECT_THAT(heights->verdict, ::testing::HasSubstr("given as 51.4 mm, fits 50.0 mm"));
+  for (const SheetError& e : MeasureSheetError(run->calibration.device, TrueDevice()))
+    EXPECT_LT(e.rms_mm, 0.08) << e.laser;
+}
+
+TEST(CalibrateTest, WithoutBoxesHeightsStayUncorrectedAndThatIsSaid) {
+  const TempFolder dir;
+  ScanFixture::CopyFolder(ScanFixture::CalibrationDir(), dir / "series");
+  fs::remove_all(dir / "series" / kHeightsFolder);
+  CalibrateOptions options;
+  options.method = "classic";
+  const auto run = CalibrateFolder(dir / "series", dir / "c.json", options, {});
   ASSERT_TRUE(run.ok()) << run.error().message;
   EXPECT_EQ(run->calibration.warnings.size(), 3U) << "one for each box";
   EXPECT_EQ(run->calibration.parts.back().grade, Grade::kDoubtful);
