@@ -10,6 +10,7 @@ namespace {
 
 double MedianWidth(const std::vector<StripePoint>& points) {
   std::vector<float> widths;
+  widths.reserve(points.size());
   for (const StripePoint& p : points) widths.push_back(p.width);
   const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
   std::nth_element(widths.begin(), middle, widths.end());
@@ -24,6 +25,7 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
   if (points.size() < 6) return pull;
   const double width = MedianWidth(points);
   std::vector<double> level;
+  level.reserve(points.size());
   for (const StripePoint& p : points) level.push_back(std::log(std::max(0.5, static_cast<double>(p.peak))));
   std::vector<double> squares(points.size(), 0.0);
   const auto n = static_cast<std::ptrdiff_t>(points.size());

@@ -8,82 +8,11 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "stripes/profile_flanks.h"
 #include "stripes/segment_linking.h"
 
 namespace dorsum {
 namespace {
-
-constexpr int kReach = 12;  // columns to either side of the peak
-constexpr std::size_t kColumns = 2 * kReach + 1;
-
-// Where the averaged profile's peak is, from the points' own column, and how far from it the profile has
-// fallen to half, px.
-struct Flanks {
-  double peak = 0.0, left = 0.0, right = 0.0;
-};
-
-// Grey values of one row around u, between pixels.
-void AddProfile(const std::uint8_t* row, int cols, double u, double sign, std::vector<double>* sum) {
-  const double base = std::floor(u);
-  const double share = u - base;
-  const int first = static_cast<int>(base) - kReach;
-  for (int i = 0; i < static_cast<int>(kColumns); ++i) {
-    const double a = row[std::clamp(first + i, 0, cols - 1)];
-    const double b = row[std::clamp(first + i + 1, 0, cols - 1)];
-    (*sum)[static_cast<std::size_t>(i)] += sign * (a + share * (b - a));
-  }
-}
-
-double FallToHalf(const std::vector<double>& sum, std::size_t peak, int step) {
-  // The background beside a stripe's foot, no further away than the next stripe's valley.
-  double low = sum[peak];
-  for (int i = 1; i <= kReach; ++i) {
-    const int at = static_cast<int>(peak) + step * i;
-    if (at < 0 || at >= static_cast<int>(kColumns)) break;
-    low = std::min(low, sum[static_cast<std::size_t>(at)]);
-  }
-  const double half = 0.5 * (sum[peak] + low);
-  double before = sum[peak];
-  for (int i = 1; i <= kReach; ++i) {
-    const int at = static_cast<int>(peak) + step * i;
-    if (at < 0 || at >= static_cast<int>(kColumns)) break;
-    const double here = sum[static_cast<std::size_t>(at)];
-    if (here <= half) return i - 1.0 + (before - half) / std::max(1e-9, before - here);
-    before = here;
-  }
-  return kReach;
-}
-
-Flanks FlanksOf(const std::vector<double>& sum) {
-  auto peak = static_cast<std::size_t>(kReach);
-  for (std::size_t i = kReach - 2; i <= kReach + 2; ++i) peak = sum[i] > sum[peak] ? i : peak;
-  const double curve = sum[peak - 1] - 2.0 * sum[peak] + sum[peak + 1];
-  const double shift =
-      curve < 0.0 ? std::clamp(0.5 * (sum[peak - 1] - sum[peak + 1]) / curve, -0.5, 0.5) : 0.0;
-  Flanks flanks;
-  flanks.peak = static_cast<double>(peak) - kReach + shift;
-  flanks.left = FallToHalf(sum, peak, -1) + shift;
-  flanks.right = FallToHalf(sum, peak, 1) - shift;
-  return flanks;
-}
-
-std::vector<Flanks> FlanksAlong(const cv::Mat& green, const std::vector<StripePoint>& points, int half_rows) {
-  const auto n = static_cast<std::ptrdiff_t>(points.size());
-  std::vector<Flanks> flanks(points.size());
-  std::vector<double> sum(kColumns, 0.0);
-  const auto add = [&](std::ptrdiff_t i, double sign) {
-    const StripePoint& p = points[static_cast<std::size_t>(i)];
-    AddProfile(green.ptr<std::uint8_t>(static_cast<int>(p.v)), green.cols, static_cast<double>(p.u), sign,
-               &sum);
-  };
-  for (std::ptrdiff_t i = 0; i < std::min<std::ptrdiff_t>(half_rows, n); ++i) add(i, 1.0);
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (i + half_rows < n) add(i + half_rows, 1.0);
-    if (i - half_rows - 1 >= 0) add(i - half_rows - 1, -1.0);
-    flanks[static_cast<std::size_t>(i)] = FlanksOf(sum);
-  }
-  return flanks;
-}
 
 double Quantile(std::vector<double> values, double share) {
   const auto middle =
@@ -94,16 +23,17 @@ double Quantile(std::vector<double> values, double share) {
 
 // Width at half the peak where the segment is whole: more than half of its rows may be cut. A
 // short segment may be cut throughout; there, twice the longer flank tells, or the image's usual width.
-double WholeWidth(const std::vector<Flanks>& flanks, double usual) {
+double WholeWidth(const std::vector<ProfileFlanks>& flanks, double usual) {
   const bool is_short = flanks.size() < 40;
   std::vector<double> widths;
-  for (const Flanks& f : flanks)
+  widths.reserve(flanks.size());
+  for (const ProfileFlanks& f : flanks)
     widths.push_back(is_short ? 2.0 * std::max(f.left, f.right) : f.left + f.right);
   const double width = Quantile(std::move(widths), is_short ? 0.5 : 0.6);
   return is_short ? std::max(width, usual) : width;
 }
 
-bool IsCut(const Flanks& f, double whole, const CutStripeOptions& options) {
+bool IsCut(const ProfileFlanks& f, double whole, const CutStripeOptions& options) {
   const double ratio = std::min(f.left, f.right) / std::max(f.left, f.right);
   const double width = (f.left + f.right) / whole;
   return ratio < options.steep_flank_ratio ||
@@ -112,7 +42,8 @@ bool IsCut(const Flanks& f, double whole, const CutStripeOptions& options) {
 
 // -1: the left flank is cut; 1: the right; 0: none. Runs of narrow rows are judged together: one cut row
 // makes the run a cut, and all its rows say on which side.
-std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const CutStripeOptions& options) {
+std::vector<int> CutSides(const std::vector<ProfileFlanks>& flanks, double whole,
+                          const CutStripeOptions& options) {
   std::vector<int> cut(flanks.size(), 0);
   const auto is_narrow = [&](std::size_t i) {
     return flanks[i].left + flanks[i].right <= options.whole_width_ratio * whole ||
@@ -127,7 +58,7 @@ std::vector<int> CutSides(const std::vector<Flanks>& flanks, double whole, const
       is_slim = is_slim || flanks[end].left + flanks[end].right < options.slim_width_ratio * whole;
       side += std::log(std::max(0.1, flanks[end].left) / std::max(0.1, flanks[end].right));
     }
-    const double rows = static_cast<double>(end - first);
+    const auto rows = static_cast<double>(end - first);
     is_cut = is_cut || (is_slim && std::abs(side) > -std::log(options.leaning_flank_ratio) * rows);
     if (is_cut)
       std::fill(cut.begin() + static_cast<std::ptrdiff_t>(first),
@@ -164,7 +95,7 @@ bool Refit(const cv::Mat& green, const ProfileStart& start, const NoiseModel& no
 }
 
 // Fits the intact flank of a cut row; false when the centre is not on the surface.
-bool MendPoint(const cv::Mat& green, const Flanks& flanks, int side, double width, double amplitude,
+bool MendPoint(const cv::Mat& green, const ProfileFlanks& flanks, int side, double width, double amplitude,
                const NoiseModel& noise, const ProfileFitOptions& fit_options, const CutStripeOptions& options,
                StripePoint* point) {
   const double u = static_cast<double>(point->u) + flanks.peak;
@@ -230,7 +161,7 @@ LaserStripes MendCutStripes(const cv::Mat& green, const LaserStripes& stripes, c
     const StripeSegment& s = stripes.segments[static_cast<std::size_t>(n)];
     const auto first = stripes.points.begin() + s.first;
     const std::vector<StripePoint> points(first, first + s.count);
-    const std::vector<Flanks> flanks = FlanksAlong(green, points, options.half_rows);
+    const std::vector<ProfileFlanks> flanks = FlanksAlong(green, points, options.half_rows);
     const double whole = WholeWidth(flanks, 2.3548 * usual_width_px);
     const std::vector<int> cut = CutSides(flanks, whole, options);
     const double width = whole / 2.3548;

@@ -11,7 +11,7 @@ namespace dorsum {
 struct PoolingOptions {
   int min_half_rows = 3;    // smallest window: this many rows to either side, 2 to 20
   int max_half_rows = 48;   // largest, rows
-  double confidence = 2.0;  // windows grow while their estimates agree within this many standard deviations
+  double confidence = 2.7;  // windows grow while their estimates agree within this many standard deviations
   RowNoiseOptions noise;
   BrightnessPullOptions pull;
 };

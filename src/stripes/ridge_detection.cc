@@ -95,7 +95,7 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
                                                       const RidgeDetectionOptions& options,
                                                       const Context& context) {
   const std::vector<float> kernel = MatchedKernel(options.width_px);
-  double gain = static_cast<double>(kernel[0] * kernel[0]);
+  auto gain = static_cast<double>(kernel[0] * kernel[0]);
   for (std::size_t k = 1; k < kernel.size(); ++k) gain += 2.0 * static_cast<double>(kernel[k] * kernel[k]);
   double row_gain = 0.0;
   for (const float k : kRows) row_gain += static_cast<double>(k * k);

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stripes/profile_flanks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace dorsum {
+namespace {
+
+constexpr int kReach = 12;  // columns to either side of the peak
+constexpr std::size_t kColumns = 2 * kReach + 1;
+
+// Grey values of one row around u, between pixels.
+void AddProfile(const std::uint8_t* row, int cols, double u, double sign, std::vector<double>* sum) {
+  const double base = std::floor(u);
+  const double share = u - base;
+  const int first = static_cast<int>(base) - kReach;
+  for (int i = 0; i < static_cast<int>(kColumns); ++i) {
+    const double a = row[std::clamp(first + i, 0, cols - 1)];
+    const double b = row[std::clamp(first + i + 1, 0, cols - 1)];
+    (*sum)[static_cast<std::size_t>(i)] += sign * (a + share * (b - a));
+  }
+}
+
+double FallToHalf(const std::vector<double>& sum, std::size_t peak, int step) {
+  // The background beside a stripe's foot, no further away than the next stripe's valley.
+  double low = sum[peak];
+  for (int i = 1; i <= kReach; ++i) {
+    const int at = static_cast<int>(peak) + step * i;
+    if (at < 0 || at >= static_cast<int>(kColumns)) break;
+    low = std::min(low, sum[static_cast<std::size_t>(at)]);
+  }
+  const double half = 0.5 * (sum[peak] + low);
+  double before = sum[peak];
+  for (int i = 1; i <= kReach; ++i) {
+    const int at = static_cast<int>(peak) + step * i;
+    if (at < 0 || at >= static_cast<int>(kColumns)) break;
+    const double here = sum[static_cast<std::size_t>(at)];
+    if (here <= half) return i - 1.0 + (before - half) / std::max(1e-9, before - here);
+    before = here;
+  }
+  return kReach;
+}
+
+ProfileFlanks FlanksOf(const std::vector<double>& sum) {
+  auto peak = static_cast<std::size_t>(kReach);
+  for (std::size_t i = kReach - 2; i <= kReach + 2; ++i) peak = sum[i] > sum[peak] ? i : peak;
+  const double curve = sum[peak - 1] - 2.0 * sum[peak] + sum[peak + 1];
+  const double shift =
+      curve < 0.0 ? std::clamp(0.5 * (sum[peak - 1] - sum[peak + 1]) / curve, -0.5, 0.5) : 0.0;
+  ProfileFlanks flanks;
+  flanks.peak = static_cast<double>(peak) - kReach + shift;
+  flanks.left = FallToHalf(sum, peak, -1) + shift;
+  flanks.right = FallToHalf(sum, peak, 1) - shift;
+  return flanks;
+}
+
+}  // namespace
+
+std::vector<ProfileFlanks> FlanksAlong(const cv::Mat& green, const std::vector<StripePoint>& points,
+                                       int half_rows) {
+  const auto n = static_cast<std::ptrdiff_t>(points.size());
+  std::vector<ProfileFlanks> flanks(points.size());
+  std::vector<double> sum(kColumns, 0.0);
+  const auto add = [&](std::ptrdiff_t i, double sign) {
+    const StripePoint& p = points[static_cast<std::size_t>(i)];
+    AddProfile(green.ptr<std::uint8_t>(static_cast<int>(p.v)), green.cols, static_cast<double>(p.u), sign,
+               &sum);
+  };
+  for (std::ptrdiff_t i = 0; i < std::min<std::ptrdiff_t>(half_rows, n); ++i) add(i, 1.0);
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (i + half_rows < n) add(i + half_rows, 1.0);
+    if (i - half_rows - 1 >= 0) add(i - half_rows - 1, -1.0);
+    flanks[static_cast<std::size_t>(i)] = FlanksOf(sum);
+  }
+  return flanks;
+}
+
+}  // namespace dorsum
