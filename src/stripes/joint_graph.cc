@@ -160,7 +160,7 @@ void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows
       const auto first = way < 0 ? rows.lower_bound(v0 - static_cast<int>(reach)) : rows.upper_bound(v0);
       const auto last = way < 0 ? rows.lower_bound(v0) : rows.upper_bound(v0 + static_cast<int>(reach));
       for (auto it = first; it != last; ++it) {
-        const float dv = static_cast<float>(std::abs(it->first - v0));
+        const auto dv = static_cast<float>(std::abs(it->first - v0));
         const float half = 0.7F * reach;
         auto h = std::lower_bound(it->second.begin(), it->second.end(), from.u - half,
                                   [](const Here& a, float u) { return a.u < u; });
@@ -173,6 +173,7 @@ void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows
         }
       }
       std::vector<std::pair<double, Here>> few;
+      few.reserve(nearest.size());
       for (const auto& [piece, found] : nearest) few.push_back(found);
       std::stable_sort(few.begin(), few.end(),
                        [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -197,7 +198,7 @@ std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, doub
       if (!std::isnan(z))
         on_backplane += std::clamp(2.0 - std::abs(z) / options.backplane_tolerance_mm, 0.0, 1.0);
     }
-    const double n = static_cast<double>(p.samples.size());
+    const auto n = static_cast<double>(p.samples.size());
     double c = options.volume_cost * observations * outside / n;
     // A piece that lies on the backplane does so all along.
     c -= (options.backplane_start + options.backplane_bonus * observations) *

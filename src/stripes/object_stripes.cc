@@ -159,6 +159,7 @@ ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceGeometry& d
                           const ObjectSplitOptions& options, const Context& context) {
   ObjectSplit out;
   std::vector<std::vector<float>> heights;
+  heights.reserve(stripes.lasers.size());
   for (const LaserStripes& one : stripes.lasers) heights.push_back(Heights(one, device, context));
   out.backplane_sd_mm = BackplaneDeviation(stripes, heights, options.min_height_mm);
   out.threshold_mm = std::max(options.min_height_mm, options.noise_factor * out.backplane_sd_mm);
