@@ -107,7 +107,8 @@ std::string BudgetTable(const Results& results, const std::string& design) {
   constexpr std::array kParts = {"total",         "plane",         "ridge",         "index",        "stray",
                                  "without_plane", "without_ridge", "without_index", "without_stray"};
   MarkdownTable table({"scene", "stages", "whole", "plane", "ridge", "index", "stray", "without plane",
-                       "without ridge", "without index", "without stray", "surface", "fusion alone"});
+                       "without ridge", "without index", "without stray", "surface", "fusion alone",
+                       "surface, 95 %", "fusion alone, 95 %"});
   for (const SceneKind kind : kKinds) {
     for (const std::string& rung : RungsOf(results, design)) {
       const Collected reached = Collect(results, design, rung, kind);

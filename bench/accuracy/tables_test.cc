@@ -60,6 +60,10 @@ TEST(TablesTest, AcceptanceCountsCapturesThatMissAndTakesTheWorstLaser) {
   EXPECT_THAT(table, HasSubstr("| box | `repeat_difference` | ≤ 0.003 | 0.0023 | 0.0040 | **1 of 3** |"));
 }
 
+TEST(TablesTest, TheBudgetStandsBesideTheWhole) {
+  EXPECT_THAT(BudgetTable(TwoBoxes(), "four lasers"), HasSubstr("| box | classic | 0.0632 | 0.0300 |"));
+}
+
 TEST(TablesTest, ARefusedCaptureShowsInEveryTable) {
   Results results = TwoBoxes();
   results.devices[0].captures[1] = Refused("box25.5_r0", "no stripes");
