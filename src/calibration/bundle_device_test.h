@@ -64,7 +64,7 @@ inline std::optional<double> SheetColumn(const Camera& camera, const DiffractedF
 
 // Exact stripe points of one fan on a plane; `source` is the picture that they came from.
 inline void AddStripes(const Camera& camera, const DiffractedFan& fan, int laser, int plane, double z,
-                       int source, BundleData* data, int every_rows = 20) {
+                       int source, BundleData* data, int every_rows = 40) {
   for (int order = -10; order <= 10; ++order) {
     for (int v = 10; v < camera.height; v += every_rows) {
       const auto u = SheetColumn(camera, fan, order, v, z);
@@ -78,7 +78,7 @@ inline void AddStripes(const Camera& camera, const DiffractedFan& fan, int laser
       p.v = v;
       p.sd_px = 0.02;
       p.peak = 100.0;
-      p.orders_per_px = 0.02;
+      p.orders_per_px = 0.025;
       p.mm_per_px = 0.38;
       data->points.push_back(p);
     }

@@ -168,6 +168,16 @@ std::size_t Nearest(const std::vector<StripeLine>& lines, double x) {
                                   lines.begin());
 }
 
+// Do the stripes of the nearer picture lie where the backplane's do? Then nothing stood there. A real shift
+// is a whole order at a few places only, since it changes across the picture.
+bool LieTogether(const std::vector<StripeLine>& lines, const std::vector<StripeLine>& backplane) {
+  constexpr double kSame = 0.7, kShare = 0.8;  // mm; of the lines
+  const auto same = std::count_if(lines.begin(), lines.end(), [&](const StripeLine& line) {
+    return std::abs(backplane[Nearest(backplane, line.at)].at - line.at) < kSame;
+  });
+  return static_cast<double>(same) > kShare * static_cast<double>(lines.size());
+}
+
 DiffractedFan FanOf(const Section& s, double slope) {
   DiffractedFan fan;
   const double turn = std::atan(slope);  // stripes run along (slope, 1)
@@ -242,7 +252,7 @@ Result<SheetStart> EstimateSheets(const Camera& camera, const LaserStripes& far,
       "the stripes of " + who +
       " on the backplane and on the calibration object do not belong to one grating; are the Closer and "
       "Further images swapped?");
-  if (!(ratio < 0.999)) return swapped;  // they must lie closer together nearer to the grating
+  if (!(ratio < 0.999) || LieTogether(LinesOnPlane(camera, near, 0.0, options), on_far)) return swapped;
   SheetStart best;
   Section best_section = Section::Zero();
   double least = 1e300;

@@ -88,11 +88,12 @@ TEST(SheetStart, TooFewStripesAreAnErrorThatNamesThePicture) {
   EXPECT_THAT(start.error().message, ::testing::HasSubstr("stripesBg2"));
 }
 
-TEST(SheetStart, SwappedPlanesAreAnError) {
+// Where Closer and Further are swapped, the nearer picture shows the backplane.
+TEST(SheetStart, ANearerPictureOfTheBackplaneIsAnError) {
   const Camera camera = BundleCamera();
   const DiffractedFan fan = BundleFan(4.0, 0.0, FanForm::kFlat);
-  const auto start = EstimateSheets(camera, Stripes(camera, fan, 50.0, 0), Stripes(camera, fan, 0.0, 0), 50.0,
-                                    std::nullopt, {});
+  const LaserStripes backplane = Stripes(camera, fan, 0.0, 0);
+  const auto start = EstimateSheets(camera, backplane, backplane, 50.0, std::nullopt, {});
   ASSERT_FALSE(start.ok());
   EXPECT_THAT(start.error().message, ::testing::HasSubstr("swapped"));
 }
