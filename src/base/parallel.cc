@@ -2,15 +2,16 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <thread>
 
 #if defined(__SANITIZE_THREAD__)
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <thread>
 #include <vector>
 #else
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -19,6 +20,8 @@ namespace dorsum {
 namespace {
 
 #if defined(__SANITIZE_THREAD__)
+int Processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
 // TBB's own synchronisation is invisible to ThreadSanitizer, which then reports false races.
 void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
                  const std::function<void(std::int64_t)>& body) {
@@ -41,6 +44,9 @@ void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
   if (failure) std::rethrow_exception(failure);
 }
 #else
+// Those that this process may use: a container or taskset may leave it fewer than the machine has.
+int Processors() { return tbb::info::default_concurrency(); }
+
 void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
                  const std::function<void(std::int64_t)>& body) {
   tbb::task_arena arena(threads);
@@ -57,7 +63,7 @@ void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
 
 void ParallelFor(const Context& context, std::int64_t begin, std::int64_t end,
                  const std::function<void(std::int64_t)>& body) {
-  const int available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int available = Processors();
   // More threads than processors only wait for each other, and TBB warns about them.
   const int threads = context.threads > 0 ? std::min(context.threads, available) : available;
   if (threads == 1 || end - begin <= 1) {

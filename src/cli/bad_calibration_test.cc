@@ -182,7 +182,7 @@ TEST_F(BadCalibrationTest, PicturesOfSomethingElse) {
                                                         {"chess00", "laser1CalCloserChess"}}) {
     Overwrite(image, from);
     const ProgramRun run = Calibrate();
-    SCOPED_TRACE(image + " is " + from);
+    SCOPED_TRACE(::testing::Message() << image << " is " << from);
     if (run.code == 0) {
       EXPECT_EQ(Everything(*this / "out"), (std::set<std::string>{"calibration.json", "calibration.html"}));
       fs::remove_all(*this / "out");

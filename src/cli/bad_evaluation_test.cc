@@ -18,9 +18,10 @@ class BadEvaluationTest : public ProgramTest {
     SurfacePoints points;
     for (int i = 0; i < 600; ++i) {
       SurfacePoint p;
-      p.position = {1.0 * (i % 30), 1.0 * (i / 30), i % 2 == 0 ? 20.1 : 19.9};
-      p.u = static_cast<float>(20 + i % 30);
-      p.v = static_cast<float>(20 + i / 30);
+      const int column = i % 30, row = i / 30;
+      p.position = {1.0 * column, 1.0 * row, i % 2 == 0 ? 20.1 : 19.9};
+      p.u = static_cast<float>(20 + column);
+      p.v = static_cast<float>(20 + row);
       points.push_back(p);
     }
     EXPECT_TRUE(WritePointsPly(Out() / "points.ply", points).ok());

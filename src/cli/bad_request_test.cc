@@ -43,8 +43,8 @@ TEST_F(BadRequestTest, ACalibrationFileThatIsNoGood) {
       {replaced("\"camera_matrix\": [", "\"camera_matrix\": [0,"), "camera_matrix"},
       {replaced("\"lasers\": [", "\"lasers\": [3,"), "lasers"},
       {replaced("\"lasers\"", "\"masers\""), "lasers"},
-      {replaced("\"background_image_base64\": \"", "\"background_image_base64\": \"!"), "background"},
-      {replaced("\"background_image_base64\": \"", "\"background_image_base64\": \"QUJD"), "background"},
+      {replaced(R"("background_image_base64": ")", R"("background_image_base64": "!)"), "background"},
+      {replaced(R"("background_image_base64": ")", R"("background_image_base64": "QUJD)"), "background"},
       {std::string(100000, '['), "c.json"},
   };
   const fs::path path = *this / "c.json";

@@ -115,7 +115,8 @@ position_mm = [0.0, -520.0, 940.0]
   // process makes it, and those that run beside it wait.
   static std::filesystem::path Cached(const std::string& name, const std::string& stamp,
                                       const std::function<void(const std::filesystem::path&)>& make) {
-    const std::filesystem::path root = DORSUM_TEST_CACHE, dir = root / name;
+    const std::filesystem::path root = DORSUM_TEST_CACHE;
+    std::filesystem::path dir = root / name;
     std::filesystem::create_directories(root);
     const int lock = open((root / (name + ".lock")).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
     if (lock < 0 || flock(lock, LOCK_EX) != 0) throw std::runtime_error("cannot lock " + dir.string());

@@ -76,10 +76,11 @@ Result<View> TraceView(const Camera& camera, const SceneTracer& tracer, const Co
   ParallelFor(context, 0, static_cast<std::int64_t>(view.fine.size()), [&](std::int64_t i) {
     if (context.IsCancelled()) return;
     View::FinePixel& fine = view.fine[static_cast<std::size_t>(i)];
-    const double u = fine.pixel % columns, v = static_cast<double>(fine.pixel / columns);
+    const auto u = fine.pixel % columns, v = fine.pixel / columns;
     for (int s = 0; s < View::kFineCount; ++s) {
-      const double du = (s % View::kFineSide + 0.5) / View::kFineSide - 0.5;
-      const double dv = (s / View::kFineSide + 0.5) / View::kFineSide - 0.5;
+      const int column = s % View::kFineSide, row = s / View::kFineSide;
+      const double du = (column + 0.5) / View::kFineSide - 0.5;
+      const double dv = (row + 0.5) / View::kFineSide - 0.5;
       fine.samples[static_cast<std::size_t>(s)] =
           SampleAt(camera, tracer, {u + du, v + dv}, 1.0 / View::kFineSide);
     }
