@@ -57,11 +57,13 @@ void DropOutliers(const std::vector<PointVerdict>& verdicts, SurfacePoints* poin
 // directions, and both known well. A plane says nothing about its own directions, so a single laser's shift
 // is no proof.
 double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis) {
-  constexpr double kMinShiftMm = 0.3, kMaxSdMm = 0.08, kMinSignificance = 8.0;
+  constexpr double kMinSignificance = 8.0;
+  // Along z it takes more, since a wrong order is looked for; every surface tells heights well.
+  const double least = axis == 2 ? 1.0 : 0.3, most_sd = axis == 2 ? 0.4 : 0.08;
   double up = 0.0, down = 0.0;
   for (const LaserConsistency& one : lasers) {
     const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];
-    if (one.samples == 0 || sd > kMaxSdMm || std::abs(shift) < std::max(kMinShiftMm, kMinSignificance * sd))
+    if (one.samples == 0 || sd > most_sd || std::abs(shift) < std::max(least, kMinSignificance * sd))
       continue;
     up = std::max(up, shift);
     down = std::min(down, shift);

@@ -20,6 +20,10 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
         "how far the surface goes on beyond the last points, mm (robust)");
   t.Add("fusion-gap-mm", &o->robust_fusion.max_gap_mm, 1.0, 100.0,
         "widest gap between points that closes, mm (robust)");
+  t.Add("fusion-outlier-mm", &o->robust_fusion.outlier_mm, 0.1, 50.0,
+        "a point further from the surface than this, mm, and than … (robust)");
+  t.Add("fusion-outlier-sigmas", &o->robust_fusion.outlier_sigmas, 1.0, 100.0,
+        "… that many of its sigma is left out (robust)");
   t.Add("mask-open-px", &o->hand_mask.open_px, 1, 99, "side of the mask's opening, px");
   t.Add("mask-min-contrast", &o->hand_mask.min_contrast, 0.0, 255.0,
         "least contrast of the object, 255ths of the background");

@@ -114,7 +114,7 @@ class Fuser {
 
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
     for (const double scale : scales_mm) {
-      SolvePlate(Reweigh(samples_, levels_[level], scale, options_.outlier_sigmas), plate_, &levels_[level],
+      SolvePlate(Reweigh(samples_, levels_[level], scale, options_.robust_sigmas), plate_, &levels_[level],
                  context_);
     }
   }
@@ -127,8 +127,8 @@ class Fuser {
   }
 
   Rim TakeRimOff() {
-    Rim rim(Reweigh(samples_, levels_[0], 2.5, options_.outlier_sigmas), outline_, {.mm_per_px = mm_per_px_},
-            context_);
+    Rim rim(Reweigh(samples_, levels_[0], 2.5, 2.0 * options_.robust_sigmas), outline_,
+            {.mm_per_px = mm_per_px_}, context_);
     for (PlateSample& s : samples_) s.z -= rim.Height(s.u, s.v);
     PlateLattice& l = levels_[0];
     for (int r = 0; r < l.z.rows; ++r) {
@@ -144,7 +144,7 @@ class Fuser {
     exact.max_iterations = kIterations;
     exact.tolerance = 1e-5;
     level->stiffness = LocalStiffness(*level, *level, {.mm_per_px = mm_per_px_});
-    const std::vector<PlateSample> weighed = Reweigh(samples_, *level, 1.0, options_.outlier_sigmas);
+    const std::vector<PlateSample> weighed = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas);
     SolvePlate(weighed, exact, level, context_);
     out_.offsets = EstimateLaserOffsets(weighed, lasers_, *level, exact, {.mm_per_px = mm_per_px_}, context_);
     std::array<float, 256> off{};
@@ -159,7 +159,7 @@ class Fuser {
 
   void CompareLasers(const Rim& rim, const PlateLattice& level) {
     const std::vector<PlateSample> weighed =
-        Reweigh(samples_, level, 0.6 * level.step_px * mm_per_px_, options_.outlier_sigmas);
+        Reweigh(samples_, level, 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas);
     out_.lasers = dorsum::CompareLasers(weighed, lasers_, level, plate_, rim, rays_,
                                         {.mm_per_px = mm_per_px_}, context_);
   }

@@ -21,8 +21,11 @@ struct RobustFusionOptions {
   double max_beyond_mm = 7.0;   // how far the surface goes on beyond the last points, 0 to 50
   double max_gap_mm = 20.0;     // widest gap between points that closes, 1 to 100
   double max_slope_deg = 81.0;  // against the image plane; steeper is a depth jump and stays open, 10 to 89
-  double outlier_mm = 2.0;      // a point further from the surface than this, 0.1 to 50, and than
-  double outlier_sigmas = 8.0;  // that many of its own sigma, 1 to 100, is an outlier
+  // Residuals beyond it weigh little while the surface is solved, and beyond twice it where lasers are
+  // compared, 1 to 100.
+  double robust_sigmas = 4.0;
+  double outlier_mm = 0.2;      // a point further from the surface than this, 0.1 to 50, and than
+  double outlier_sigmas = 4.0;  // that many of its own sigma, 1 to 100, is an outlier
   double offset_sigmas = 3.0;   // a laser's height offset that is this many times its sd, 1 to 100, and
   double max_offset_mm = 0.5;   // not more than this is taken off before merging, 0: never
 };
