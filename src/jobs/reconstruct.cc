@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/reconstruct.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "captures/image_file.h"
 #include "jobs/find_object.h"
+#include "jobs/laser_agreement.h"
 #include "surface/height_mesh.h"
 #include "surface/triangulation.h"
 
@@ -51,47 +48,6 @@ void DropOutliers(const std::vector<PointVerdict>& verdicts, SurfacePoints* poin
     if (!contradicted) (*points)[kept++] = (*points)[i];
   }
   points->resize(kept);
-}
-
-// How far two lasers put the object apart along one axis, mm: each against the others, in opposite
-// directions, and both known well. A plane says nothing about its own directions, so a single laser's shift
-// is no proof.
-double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis) {
-  constexpr double kMinSignificance = 8.0;
-  // Along z it takes more, since a wrong order is looked for; every surface tells heights well.
-  const double least = axis == 2 ? 1.0 : 0.3, most_sd = axis == 2 ? 0.4 : 0.08;
-  double up = 0.0, down = 0.0;
-  for (const LaserConsistency& one : lasers) {
-    const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];
-    if (one.samples == 0 || sd > most_sd || std::abs(shift) < std::max(least, kMinSignificance * sd))
-      continue;
-    up = std::max(up, shift);
-    down = std::min(down, shift);
-  }
-  return up > 0.0 && down < 0.0 ? up - down : 0.0;
-}
-
-// The lasers are lit one after the other: what moves in between lies elsewhere in the later pictures. What
-// reaches out of the working volume gets orders that put every laser at another height.
-Status CheckAgreement(const std::vector<LaserConsistency>& lasers, const DeviceGeometry& device) {
-  const double beside = std::max(ShiftBetweenLasers(lasers, 0), ShiftBetweenLasers(lasers, 1));
-  const double above = ShiftBetweenLasers(lasers, 2);
-  char text[256];
-  if (above > 1.0) {
-    std::snprintf(
-        text, sizeof text,
-        "the lasers put the object at heights that differ by %.1f mm: it reaches out of the working volume "
-        "of %.0f to %.0f mm, or moved while it was captured; place it lower and capture again",
-        above, device.min_height_mm, device.max_height_mm);
-    return BadInput(text);
-  }
-  if (beside == 0.0 && above == 0.0) return {};
-  std::snprintf(
-      text, sizeof text,
-      "the object moved by about %.1f mm while it was captured, since the lasers see it at different "
-      "places; keep still and capture again",
-      std::max(beside, above));
-  return BadInput(text);
 }
 
 }  // namespace

@@ -234,6 +234,20 @@ TEST(ReconstructTest, CancelledAnywhereItLeavesNothing) {
   EXPECT_GE(reports, 5);
 }
 
+std::string ErrorOf(const std::string& capture, const fs::path& out) {
+  const auto summary = ReconstructFolder(RequestFor(ScanFixture::CaptureDir(capture), out), {});
+  EXPECT_FALSE(summary.ok()) << capture << " was accepted";
+  EXPECT_FALSE(fs::exists(out));
+  if (summary.ok()) return "";
+  EXPECT_EQ(summary.error().code, ErrorCode::kBadInput);
+  return summary.error().message;
+}
+
+TEST(ReconstructTest, ADeviceThatWasKnockedIsRefused) {
+  const TempFolder dir;
+  EXPECT_NE(ErrorOf(ScanFixture::kKnocked, dir / "out").find("calibrate again"), std::string::npos);
+}
+
 TEST(ReconstructOptionsTest, EveryDefaultIsAllowedByItsOwnRange) {
   ReconstructOptions options;
   OptionTable table = DescribeReconstructOptions(&options);

@@ -50,6 +50,7 @@ position_mm = [0.0, -520.0, 940.0]
   static constexpr const char* kBox = "box25.5";
   static constexpr const char* kSphere = "sphere40";
   static constexpr const char* kHand = "hand_woman_right_anna";
+  static constexpr const char* kKnocked = "box25.5+knocked1";
 
   // Folder with device.toml, calibration/, captures/ and truth/. Not to be changed: copy what you change.
   static std::filesystem::path Scan() {
@@ -59,7 +60,7 @@ position_mm = [0.0, -520.0, 940.0]
                     SimulateOptions options;
                     options.device_path = dir / "device.toml";
                     options.seed = kSeed;
-                    options.scenes = {kBox, kSphere, "hand:woman:right:anna"};
+                    options.scenes = {kBox, kSphere, kKnocked, "hand:woman:right:anna"};
                     options.overwrite = true;
                     const Result<SimulateReport> report = Simulate(options, dir, Context{});
                     if (!report.ok()) throw std::runtime_error(report.error().message);
