@@ -13,8 +13,7 @@
 
 // The bundle's model over its parameters, for numbers and for numbers with derivatives (ceres::Jet). For
 // sources only: no header shows Ceres.
-namespace dorsum {
-namespace bundle {
+namespace dorsum::bundle {
 
 template <class T>
 using Vector2 = Eigen::Matrix<T, 2, 1>;
@@ -137,5 +136,4 @@ T OrderAt(const Eigen::Matrix3d& axes, const T* fan, const Vector3<T>& world) {
   return (dx_t / length_t - alpha_in(exact, fan[kFanAlpha], skew, bow)) / fan[kFanStep];
 }
 
-}  // namespace bundle
-}  // namespace dorsum
+}  // namespace dorsum::bundle

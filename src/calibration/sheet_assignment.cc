@@ -23,6 +23,7 @@ class Assigner {
     for (const StripeSegment& segment : picture.stripes.segments) {
       if (segment.count <= 2 * options_.end_rows) continue;
       std::vector<Fit> fits;
+      fits.reserve(picture.planes.size());
       for (const int plane : picture.planes) fits.push_back(FitPlane(picture, segment, plane));
       const Fit* chosen = Choose(fits, picture.planes.front() == 1);
       if (chosen == nullptr) continue;

@@ -218,6 +218,7 @@ std::vector<StripeLine> LinesOnPlane(const Camera& camera, const LaserStripes& s
   }
   lines = Merge(std::move(lines));
   std::vector<double> strengths;
+  strengths.reserve(lines.size());
   for (const StripeLine& line : lines) strengths.push_back(line.strength);
   const double weak = options.weak_share * Median(strengths);
   std::erase_if(lines, [weak](const StripeLine& line) { return line.strength < weak; });
@@ -286,6 +287,7 @@ Result<SheetStart> EstimateSheets(const Camera& camera, const LaserStripes& far,
   }
   if (least >= 1e300) return swapped;
   std::vector<double> slopes;
+  slopes.reserve(on_far.size());
   for (const StripeLine& line : on_far) slopes.push_back(line.slope);
   best.fan = FanOf(best_section, Median(slopes));
   best.far_lines = static_cast<int>(on_far.size());

@@ -166,7 +166,7 @@ void AddResiduals(HtmlPage& page, const std::vector<SheetResidual>& residuals) {
   if (residuals.empty()) return;
   page.Section(
       "Light sheets",
-      "How far each stripe point on a plane of known height lies off its light sheet, in millimetres on that "
+      "How far each stripe point on a plane of known height lies off its light sheet, in micrometres on that "
       "plane: dots are points, lines their means, one colour for each height. Noise alone scatters evenly "
       "about "
       "zero. Lines that bend together along y speak of a wrong form of the fan, lines that fan out with the "

@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kLeft = 84, kRight = 112, kTop = 34, kBottom = 66;  // px around the plot
 
+constexpr double kMicro = 1000.0;  // shorter numbers beside the axis
+
 using Place = std::function<double(const SheetResidual&)>;
 
 Colour HeightColour(const SheetResidualScales& scales, double height) {
@@ -35,7 +37,7 @@ void DrawMeans(cv::Mat& canvas, const PlotArea& area, const Bins& bins, double b
     for (const auto& [bin, sum] : means) {
       if (sum.second < kFewest) continue;
       const cv::Point2d at =
-          area.ToPixel(bin * bin_width, std::clamp(sum.first / sum.second, area.y.low, area.y.high));
+          area.ToPixel(bin * bin_width, std::clamp(kMicro * sum.first / sum.second, area.y.low, area.y.high));
       if (bin == last_bin + 1) DrawLine(canvas, last, at, colour, 2);
       cv::circle(canvas, {static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y))}, 3,
                  Pen(colour), cv::FILLED, cv::LINE_AA);
@@ -64,14 +66,14 @@ cv::Mat Draw(const std::vector<SheetResidual>& residuals, int laser, const Sheet
     }
     // Heights side by side within an order, so that they do not cover each other.
     const double aside = spread * (scales.height_mm.Share(r.height_mm) - 0.5);
-    const cv::Point2d at = area.ToPixel(x + aside, r.miss_mm);
+    const cv::Point2d at = area.ToPixel(x + aside, kMicro * r.miss_mm);
     const cv::Point pixel(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
     if (!area.pixels.contains(pixel)) continue;
     const Colour faint = Mix(HeightColour(scales, r.height_mm), kPaper, 0.55);
     cv::rectangle(canvas, {pixel.x, pixel.y, 2, 2}, Pen(faint), cv::FILLED);
   }
   DrawMeans(canvas, area, bins, bin_width, scales);
-  DrawAxes(canvas, area, x_name, "off the sheet (mm)");
+  DrawAxes(canvas, area, x_name, "off the sheet (um)");
   DrawColourScale(canvas, {area.pixels.br().x + 26, area.pixels.y, 20, area.pixels.height}, scales.height_mm,
                   "height (mm)", [](double share) { return SequentialColour(0.85 * share); });
   return canvas;
