@@ -37,7 +37,7 @@ std::size_t ScanOf(const std::string& jpeg) { return jpeg.find("\xff\xda") + 14;
 // Decodes and expects that libjpeg keeps quiet.
 cv::Mat DecodeQuietly(const std::string& jpeg) {
   ::testing::internal::CaptureStderr();
-  const cv::Mat image = DecodeJpeg(jpeg, kSize);
+  cv::Mat image = DecodeJpeg(jpeg, kSize);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   return image;
 }

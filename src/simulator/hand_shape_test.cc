@@ -15,6 +15,7 @@ constexpr int kPeople = 4000;
 std::vector<HandShape> People(Sex sex, int count = kPeople) {
   std::vector<HandShape> people;
   Rng rng(NamedSeed("population"));
+  people.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) people.push_back(SampleHandShape(sex, rng));
   return people;
 }
@@ -135,6 +136,7 @@ TEST(HandShapeTest, SessionsChangeGirthMoreThanLength) {
   const HandShape person = People(Sex::kWoman, 1)[0];
   Rng rng(5);
   std::vector<HandShape> visits;
+  visits.reserve(2000);
   for (int i = 0; i < 2000; ++i) visits.push_back(VaryForSession(person, rng));
   const Moments length = MomentsOf(visits, FingerLength(1)), breadth = MomentsOf(visits, FingerBreadth(1));
   EXPECT_NEAR(length.mean, person.fingers[1].length, 0.02);
