@@ -58,9 +58,9 @@ TEST(UsageTest, ValuesThatAnOptionDoesNotTakeAreNamed) {
   const auto with = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"reconstruct", "in", "-c", "c.json", "-o", "out", option, value};
   };
-  ExpectUsageError(with("--sheets", "cone"), "cone");
-  ExpectUsageError(with("--method", "bundle"), "bundle");
-  ExpectUsageError(with("--stripes", "ridge"), "ridge");
+  ExpectUsageError(with("--sheets", "sphere"), "sphere");
+  ExpectUsageError(with("--method", "guess"), "guess");
+  ExpectUsageError(with("--stripes", "edges"), "edges");
   ExpectUsageError(with("--mesh", "ply,dwg"), "dwg");
   ExpectUsageError(with("--lasers", "9"), "--lasers");
   ExpectUsageError(with("--lasers", "one"), "--lasers");

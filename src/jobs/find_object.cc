@@ -82,22 +82,31 @@ FoundObject Index(std::vector<LaserStripes> stripes, const DeviceGeometry& devic
   return out;
 }
 
-// Where the picture under the LEDs is as bright as the empty backplane.
-cv::Mat EmptyPart(const cv::Mat& background, const cv::Mat& hand) {
-  constexpr double kSameShare = 0.06;  // of the background's brightness
+// Where the picture under the LEDs is as bright as the empty backplane, but for a share of it.
+cv::Mat EmptyPart(const cv::Mat& background, const cv::Mat& hand, double share) {
   cv::Mat before, after, difference, allowed;
   cv::blur(GreenChannel(background), before, {5, 5});
   cv::blur(GreenChannel(hand), after, {5, 5});
   cv::absdiff(before, after, difference);
-  before.convertTo(allowed, CV_8U, kSameShare, 1.0);
+  before.convertTo(allowed, CV_8U, share, 1.0);
   return difference <= allowed;
+}
+
+// A lamp that failed or a lens that was covered leaves no part of the picture as it was.
+Status CheckLight(const cv::Mat& background, const cv::Mat& hand) {
+  constexpr double kLeastShare = 0.02;
+  const cv::Mat similar = EmptyPart(background, hand, 0.4);
+  if (cv::countNonZero(similar) >= kLeastShare * static_cast<double>(similar.total())) return {};
+  return BadInput(
+      "bgHand differs from the background nearly everywhere; the light or the camera changed since the "
+      "calibration, so calibrate again");
 }
 
 Status CheckDevice(const std::vector<LaserStripes>& stripes, const cv::Mat& background, const cv::Mat& hand,
                    const DeviceGeometry& device) {
   std::string moved;
   double shift = 0.0;
-  for (const BackplaneCheck& check : CheckBackplane(stripes, device, EmptyPart(background, hand), {})) {
+  for (const BackplaneCheck& check : CheckBackplane(stripes, device, EmptyPart(background, hand, 0.06), {})) {
     if (!check.moved) continue;
     moved += (moved.empty() ? "" : ", ") + std::to_string(check.laser);
     shift = std::max(shift, check.shift_px);
@@ -162,6 +171,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   context.Report("mask", 0.0);
   HandMask picture;
   if (robust) {
+    DORSUM_RETURN_IF_ERROR(CheckLight(background, capture.hand));
     picture.mask = cv::Mat(capture.hand.size(), CV_8UC1, cv::Scalar(255));
   } else {
     DORSUM_ASSIGN_OR_RETURN(picture, ExtractHandMask(background, capture.hand, options.hand_mask, context));
