@@ -8,8 +8,19 @@
 
 namespace dorsum {
 
+namespace {
+
+#if defined(__SANITIZE_THREAD__)
+// Embree builds its trees with TBB, whose synchronisation ThreadSanitizer does not see.
+constexpr const char* kEmbreeSettings = "threads=1";
+#else
+constexpr const char* kEmbreeSettings = nullptr;
+#endif
+
+}  // namespace
+
 struct MeshTracer::Embree {
-  RTCDevice device = rtcNewDevice(nullptr);
+  RTCDevice device = rtcNewDevice(kEmbreeSettings);
   RTCScene scene = rtcNewScene(device);
   Embree() = default;
   Embree(const Embree&) = delete;
