@@ -54,7 +54,7 @@ position_mm = [0.0, -520.0, 940.0]
 
   // Folder with device.toml, calibration/, captures/ and truth/. Not to be changed: copy what you change.
   static std::filesystem::path Scan() {
-    return Cached("scan", std::string(kDevice) + kSeed + LibraryStamps(),
+    return Cached("scan", std::string(kDevice) + kSeed + kKnocked + LibraryStamps(),
                   [](const std::filesystem::path& dir) {
                     Require(WriteFile(dir / "device.toml", kDevice));
                     SimulateOptions options;

@@ -27,14 +27,15 @@ std::vector<SheetResidual> Residuals(double slope_mm) {
   return residuals;
 }
 
-// Mean row of what is drawn darkly (lines of means) within columns of the plot.
-double MeanRow(const cv::Mat& picture, int from, int to) {
-  cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+// Mean row of what `picture` shows and `empty` does not, within columns.
+double MeanRow(const cv::Mat& picture, const cv::Mat& empty, int from, int to) {
+  cv::Mat difference;
+  cv::absdiff(picture, empty, difference);
+  cv::cvtColor(difference, difference, cv::COLOR_BGR2GRAY);
   double sum = 0.0, count = 0.0;
   for (int u = from; u < to; ++u) {
-    for (int v = 50; v < picture.rows - 80; ++v) {
-      if (grey.at<std::uint8_t>(v, u) > 170) continue;
+    for (int v = 0; v < picture.rows; ++v) {
+      if (difference.at<std::uint8_t>(v, u) < 40) continue;
       sum += v;
       count += 1.0;
     }
@@ -44,11 +45,13 @@ double MeanRow(const cv::Mat& picture, int from, int to) {
 
 TEST(SheetResidualPictures, APatternAlongYShows) {
   const auto residuals = Residuals(0.04);
-  const cv::Mat picture = DrawSheetResidualsOverY(residuals, 1, ScalesOf(residuals));
-  const int width = picture.cols - 200;
-  const double left = MeanRow(picture, 110, 110 + width / 4),
-               right = MeanRow(picture, 100 + 3 * width / 4, 80 + width);
-  EXPECT_GT(left, right + 60.0) << "misses grow with y, so the line rises to the right";
+  const SheetResidualScales scales = ScalesOf(residuals);
+  const cv::Mat picture = DrawSheetResidualsOverY(residuals, 1, scales),
+                empty = DrawSheetResidualsOverY(residuals, 2, scales);
+  const int quarter = picture.cols / 4;
+  const double left = MeanRow(picture, empty, quarter, 2 * quarter - 30),
+               right = MeanRow(picture, empty, 2 * quarter, 3 * quarter - 30);
+  EXPECT_GT(left, right + 40.0) << "misses grow with y, so the line rises to the right";
 }
 
 TEST(SheetResidualPictures, OfAnotherLaserNothingIsDrawn) {
