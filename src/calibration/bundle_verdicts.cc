@@ -29,7 +29,10 @@ PartReport JudgeCamera(const BundleCalibration& c, const BundleVerdictOptions& o
   const Camera& camera = c.device.camera;
   PartReport report;
   report.part = "camera";
-  report.figures = {{"views", static_cast<double>(views.size()), ""},
+  const auto lying = std::count_if(c.data.boards.begin() + 1, c.data.boards.end(),
+                                   [](const BoardView& board) { return board.plane >= 0; });
+  report.figures = {{"views", static_cast<double>(views.size()) - static_cast<double>(lying), ""},
+                    {"boards that lie on known heights", static_cast<double>(lying), ""},
                     {"reprojection error", rms, "px"},
                     {"worst view", *worst, "px"},
                     {"focal length", camera.fx, "px"},

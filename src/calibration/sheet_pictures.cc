@@ -66,6 +66,13 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
   });
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);
+  for (const SheetPicture& picture : pictures) {
+    const bool box = picture.planes.front() > 1;
+    if (box || !picture.stripes.segments.empty()) continue;
+    return BadInput("no stripes are seen in " + picture.name + "; is laser " +
+                    std::to_string(series.lasers[static_cast<std::size_t>(picture.laser)]) +
+                    " on and the exposure right? Capture it again");
+  }
   return pictures;
 }
 

@@ -18,11 +18,12 @@
 namespace dorsum {
 namespace {
 
-// Points of the boxes, reconstructed without correction, on the box's mask shrunk as evaluation does.
+// `must`: a box that the document's way cannot reconstruct is an error. Points of the boxes, reconstructed
+// without correction, on the box's mask shrunk as evaluation does.
 Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSeries& series,
                                                              const ReadyCalibration& ready,
                                                              const CalibrateOptions& options,
-                                                             const Context& context,
+                                                             const Context& context, bool must,
                                                              std::vector<std::string>* warnings) {
   std::map<int, std::vector<HeightSample>> samples;
   ReconstructOptions reconstruct;
@@ -38,7 +39,14 @@ Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSe
     warnings->insert(warnings->end(), capture.warnings.begin(), capture.warnings.end());
     Context quiet = context;
     quiet.progress = nullptr;
-    DORSUM_ASSIGN_OR_RETURN(const Reconstruction box, ReconstructPoints(capture, ready, reconstruct, quiet));
+    const Result<Reconstruction> made = ReconstructPoints(capture, ready, reconstruct, quiet);
+    if (!made.ok()) {
+      if (must || made.error().code == ErrorCode::kCancelled) return made.error();
+      warnings->push_back("a box is not used to correct the document's plane sheets: " +
+                          made.error().message);
+      continue;
+    }
+    const Reconstruction& box = *made;
     cv::Mat inner;
     cv::erode(box.mask.mask, inner, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
     std::map<int, std::vector<HeightSample>> of_box;
@@ -91,15 +99,9 @@ Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& o
   if (!series.box_heights_mm.empty() && planes) {
     DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
                             PrepareCalibration(calibration, series.dir.string()));
-    auto sampled = SampleBoxes(series, ready, options, context, &calibration.warnings);
-    if (!sampled.ok() && (!cones || sampled.error().code == ErrorCode::kCancelled)) return sampled.error();
-    if (!sampled.ok()) {
-      calibration.warnings.push_back("the document's plane sheets stay uncorrected: " +
-                                     sampled.error().message);
-    }
-    auto samples = sampled.ok() ? std::move(*sampled) : std::map<int, std::vector<HeightSample>>{};
+    DORSUM_ASSIGN_OR_RETURN(auto samples,
+                            SampleBoxes(series, ready, options, context, !cones, &calibration.warnings));
     for (LaserGeometry& laser : calibration.device.lasers) {
-      if (!sampled.ok()) break;
       LaserCorrection evidence;
       evidence.laser = laser.laser;
       evidence.samples = std::move(samples[laser.laser]);

@@ -59,44 +59,26 @@ void AddClassicSheets(const LaserGeometry& classic, LaserGeometry* laser) {
   for (ReferenceStripe& r : laser->reference) r.order += shift;
 }
 
-// The bundle could do without some pictures that the document's method needs; but a damaged file means that
-// the series is not what its owner believes.
-Status CheckPictures(const CalibrationSeries& series) {
-  std::vector<std::string> names = series.chess_views;
-  for (const char* name : {kFirstEstimatesName, kBgNoHandName}) names.emplace_back(name);
-  std::vector<std::string> dark;  // may be as dark as a room without lasers
-  for (const Distance distance : {Distance::kFurther, Distance::kCloser}) {
-    dark.push_back(LaserBgName(distance));
-    for (const int laser : series.lasers) {
-      names.push_back(LaserCalName(laser, distance));
-      names.push_back(LaserChessName(laser, distance));
-    }
-  }
-  for (const int laser : series.lasers) names.push_back(StripesBgName(laser));
-  for (const std::string& name : dark) {
-    if (const Result<cv::Mat> picture = series.Read(name); !picture.ok()) return picture.error();
-  }
-  for (const std::string& name : names) {
-    DORSUM_ASSIGN_OR_RETURN(const cv::Mat picture, series.Read(name));
-    DORSUM_RETURN_IF_ERROR(CheckExposure(picture, (series.dir / name).string()));
-  }
-  return {};
-}
-
 }  // namespace
 
 Status CalibrateByBundle(const CalibrationSeries& series, const CalibrateOptions& options,
                          const Context& context, CalibrationRun* run) {
-  DORSUM_RETURN_IF_ERROR(CheckPictures(series));
+  // Pictures that only a part of the method looks at; a bad one is refused all the same.
+  for (const std::string& name :
+       {LaserBgName(Distance::kFurther), LaserBgName(Distance::kCloser), std::string(kFirstEstimatesName)}) {
+    DORSUM_ASSIGN_OR_RETURN(const cv::Mat image, series.Read(name));
+    if (name == kFirstEstimatesName)
+      DORSUM_RETURN_IF_ERROR(CheckExposure(image, (series.dir / name).string()));
+  }
   context.Report("chessboards", 0.0);
   DORSUM_ASSIGN_OR_RETURN(const CameraCalibration camera,
                           CalibrateCamera(series, options.classic.camera, context));
   DORSUM_ASSIGN_OR_RETURN(BundleCalibration bundle, CalibrateBundle(series, camera, options.bundle, context));
   Calibration& c = run->calibration;
-  c.warnings.insert(c.warnings.end(), camera.warnings.begin(), camera.warnings.end());
   CameraCalibration refined = camera;
   refined.camera = bundle.device.camera;
   refined.view_rms_px = bundle.view_rms_px;
+  c.warnings.insert(c.warnings.end(), camera.warnings.begin(), camera.warnings.end());
   c.warnings.insert(c.warnings.end(), bundle.warnings.begin(), bundle.warnings.end());
   run->classic = ClassicBeside(series, refined, options, context, &c.warnings);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
