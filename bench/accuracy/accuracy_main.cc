@@ -185,7 +185,7 @@ int Run(int argc, char** argv) {
       ->needs("--short");
   app.add_option("--threads", session.threads, "0: one for each processor")->check(CLI::Range(0, 1024));
   app.footer(
-      "Example: accuracy --captures ../shared/captures/dev --cache /tmp/accuracy --results "
+      "Example: accuracy --captures CAPTURES_DIR --cache /tmp/accuracy --results "
       "bench/accuracy/results "
       "--write docs/accuracy.md");
   try {

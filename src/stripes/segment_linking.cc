@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "stripes/append_segment.h"
+
 namespace dorsum {
 namespace {
 
@@ -76,28 +78,7 @@ LaserStripes AssembleStripes(const std::vector<std::vector<StripePoint>>& segmen
   LaserStripes out;
   out.laser = laser;
   for (const std::vector<StripePoint>& points : segments) {
-    if (points.empty()) continue;
-    StripeSegment s;
-    s.first = static_cast<std::int32_t>(out.points.size());
-    s.count = static_cast<std::int32_t>(points.size());
-    s.min_u = s.max_u = points.front().u;
-    s.min_v = points.front().v;
-    s.max_v = points.back().v;
-    double peak = 0.0;
-    for (const StripePoint& from : points) {
-      StripePoint p = from;
-      const auto index = static_cast<std::int32_t>(out.points.size());
-      p.segment = static_cast<std::int32_t>(out.segments.size());
-      p.left = p.right = kNoPoint;
-      p.top = index > s.first ? index - 1 : kNoPoint;
-      p.bottom = index + 1 < s.first + s.count ? index + 1 : kNoPoint;
-      s.min_u = std::min(s.min_u, p.u);
-      s.max_u = std::max(s.max_u, p.u);
-      peak += static_cast<double>(p.peak);
-      out.points.push_back(p);
-    }
-    s.mean_peak = static_cast<float>(peak / s.count);
-    out.segments.push_back(s);
+    AppendSegment(points, std::nullopt, &out);
   }
   return out;
 }

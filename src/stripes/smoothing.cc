@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "stripes/append_segment.h"
+
 namespace dorsum {
 namespace {
 
@@ -35,31 +37,14 @@ Fitted FitLine(std::span<const StripePoint> points, std::size_t i, int half_wind
   return {(t0 * s2 - t1 * s1) / det, s2 / det};
 }
 
-void AppendSegment(std::span<const StripePoint> piece, const SmoothingOptions& options, LaserStripes* out) {
-  const auto first = static_cast<std::int32_t>(out->points.size());
-  const auto count = static_cast<std::int32_t>(piece.size());
-  StripeSegment s;
-  s.first = first;
-  s.count = count;
-  s.min_u = s.max_u = piece.front().u;
-  s.min_v = piece.front().v;
-  s.max_v = piece.back().v;
-  double peaks = 0.0;
-  for (std::int32_t i = 0; i < count; ++i) {
-    StripePoint p = piece[static_cast<std::size_t>(i)];
-    const Fitted fitted = FitLine(piece, static_cast<std::size_t>(i), options.half_window_rows);
-    p.u = static_cast<float>(fitted.u);
-    p.sd_px = static_cast<float>(p.sd_px * std::sqrt(fitted.variance_factor));
-    p.segment = static_cast<std::int32_t>(out->segments.size());
-    p.top = i > 0 ? first + i - 1 : kNoPoint;
-    p.bottom = i + 1 < count ? first + i + 1 : kNoPoint;
-    s.min_u = std::min(s.min_u, p.u);
-    s.max_u = std::max(s.max_u, p.u);
-    peaks += p.peak;
-    out->points.push_back(p);
+void AppendSmoothed(std::span<const StripePoint> piece, const SmoothingOptions& options, LaserStripes* out) {
+  std::vector<StripePoint> points(piece.begin(), piece.end());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Fitted fitted = FitLine(piece, i, options.half_window_rows);
+    points[i].u = static_cast<float>(fitted.u);
+    points[i].sd_px = static_cast<float>(points[i].sd_px * std::sqrt(fitted.variance_factor));
   }
-  s.mean_peak = static_cast<float>(peaks / count);
-  out->segments.push_back(s);
+  AppendSegment(points, std::nullopt, out);
 }
 
 }  // namespace
@@ -76,7 +61,7 @@ LaserStripes SmoothSegments(const LaserStripes& stripes, int min_rows, const Smo
                          all[i].v - all[i - 1].v > 1.5F;
       if (!parts) continue;
       if (i - begin >= static_cast<std::size_t>(min_rows))
-        AppendSegment(all.subspan(begin, i - begin), options, &out);
+        AppendSmoothed(all.subspan(begin, i - begin), options, &out);
       begin = i;
     }
   }
