@@ -38,6 +38,7 @@ std::vector<Rung> Ladder() {
   step("sheets " + ours.sheets, take(&o.sheets, ours.sheets) || corrected);
   // The mask comes late: it is cut from stripes whose orders and places are known.
   step("mask " + ours.mask, take(&o.mask, ours.mask));
+  step("shading " + ours.shading, take(&o.shading, ours.shading));
   step("fusion " + ours.fusion, take(&o.fusion, ours.fusion));
   if (ladder.size() > 1) ladder.back().name += " (default)";
   return ladder;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include <opencv2/imgproc.hpp>
 
@@ -11,7 +12,7 @@
 #include "imaging/object_mask.h"
 #include "imaging/shadow.h"
 #include "imaging/stage_sink.h"
-#include "stripes/append_segment.h"
+#include "jobs/measure_stripes.h"
 #include "stripes/backplane_check.h"
 #include "stripes/object_stripes.h"
 
@@ -30,33 +31,41 @@ std::vector<int> LasersToUse(const CaptureImages& capture, const DeviceGeometry&
   return lasers;
 }
 
-LaserStripes FindStripes(const cv::Mat& image, const cv::Mat& region, int laser,
-                         const ReconstructOptions& options, const Context& context) {
+// What one laser's picture shows, before anything is said about orders.
+struct PictureStripes {
+  LaserStripes stripes;
+  NoiseModel noise;  // of the picture; only ridges measure it
+};
+
+PictureStripes FindStripes(const cv::Mat& image, const cv::Mat& region, int laser,
+                           const ReconstructOptions& options, const Context& context) {
   const cv::Mat green = GreenChannel(image);
+  PictureStripes out;
   if (options.stripes == "ridge") {
-    return PoolAlongStripes(FindRidges(green, region, laser, options.ridge, context), options.pooling,
-                            context);
+    out.stripes = FindRidges(green, region, laser, options.ridge, context, &out.noise);
+    return out;
   }
   const cv::Mat stripe_mask =
       ExtractStripeMask(image, region, options.stripe_mask, "stripes/" + std::to_string(laser), context);
-  return SmoothSegments(ExtractClassicSegments(stripe_mask, green, laser, options.segments),
-                        options.segments.min_rows, options.smoothing);
+  out.stripes = SmoothSegments(ExtractClassicSegments(stripe_mask, green, laser, options.segments),
+                               options.segments.min_rows, options.smoothing);
+  return out;
 }
 
 // StripePoints and StripeSegments of all wanted lasers, side by side.
-std::vector<LaserStripes> FindAllStripes(const CaptureImages& capture, const cv::Mat& region,
-                                         const DeviceGeometry& device, const ReconstructOptions& options,
-                                         const Context& context) {
+std::vector<PictureStripes> FindAllStripes(const CaptureImages& capture, const cv::Mat& region,
+                                           const DeviceGeometry& device, const ReconstructOptions& options,
+                                           const Context& context) {
   const std::vector<int> lasers = LasersToUse(capture, device, options.lasers);
-  std::vector<LaserStripes> stripes(lasers.size());
+  std::vector<PictureStripes> pictures(lasers.size());
   Context inner = context;
   if (context.sink != nullptr) inner.threads = 1;  // a sink is called from one thread
   ParallelFor(inner, 0, static_cast<std::int64_t>(lasers.size()), [&](std::int64_t i) {
     const int laser = lasers[static_cast<std::size_t>(i)];
-    stripes[static_cast<std::size_t>(i)] =
+    pictures[static_cast<std::size_t>(i)] =
         FindStripes(*capture.stripes[static_cast<std::size_t>(laser)], region, laser, options, inner);
   });
-  return stripes;
+  return pictures;
 }
 
 // Orders for the object's stripes, and what lies on the backplane beside it.
@@ -146,28 +155,12 @@ Result<HandMask> MaskFromSeeds(const CaptureImages& capture, const cv::Mat& back
   return RefineObjectMask(background, capture.hand, seeds, options.object_mask, context);
 }
 
-// Takes away the stripe points further than `slack_px` outside the mask.
-void KeepInside(const cv::Mat& mask, int slack_px, IndexedStripes* stripes) {
-  cv::Mat near;
-  const cv::Size side(2 * slack_px + 1, 2 * slack_px + 1);
-  cv::dilate(mask, near, cv::getStructuringElement(cv::MORPH_ELLIPSE, side));
-  const cv::Rect picture({}, near.size());
-  for (LaserStripes& one : stripes->lasers) {
-    std::vector<char> keep;
-    for (const StripePoint& p : one.points) {
-      const cv::Point at(cvRound(p.u), cvRound(p.v));
-      keep.push_back(picture.contains(at) && near.at<std::uint8_t>(at) != 0 ? 1 : 0);
-    }
-    one = KeepPoints(one, keep);
-  }
-}
-
 }  // namespace
 
 Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& background,
                                const DeviceGeometry& device, const ReconstructOptions& options,
                                const Context& context) {
-  const bool robust = options.mask == "robust";
+  const bool robust = options.mask == "robust", ridges = options.stripes == "ridge";
   context.Report("mask", 0.0);
   HandMask picture;
   if (robust) {
@@ -178,7 +171,12 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   }
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("stripes", 0.2);
-  std::vector<LaserStripes> stripes = FindAllStripes(capture, picture.mask, device, options, context);
+  std::vector<LaserStripes> stripes;
+  std::map<int, NoiseModel> noise;
+  for (PictureStripes& one : FindAllStripes(capture, picture.mask, device, options, context)) {
+    noise[one.stripes.laser] = one.noise;
+    stripes.push_back(std::move(one.stripes));
+  }
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("indexing", 0.5);
   if (robust) DORSUM_RETURN_IF_ERROR(CheckDevice(stripes, background, capture.hand, device));
@@ -187,6 +185,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   if (robust) {
     DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, options, context));
     KeepInside(out.mask.mask, 1, &out.stripes);
+    if (ridges) MeasureStripes(capture, out.mask.mask, noise, options, context, &out.stripes);
     return out;
   }
   out.mask = picture;
@@ -199,6 +198,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
         "only shadow is seen in bgHand: the object is as bright as the backplane, or it is gone; cover a "
         "white object with something darker and capture again");
   }
+  if (ridges) MeasureStripes(capture, out.mask.mask, noise, options, context, &out.stripes);
   return out;
 }
 

@@ -8,6 +8,8 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   t.Add("mask", &o->mask, {"auto", "robust", "classic"}, "how the object is found in the image (§3.4)");
   t.Add("stripes", &o->stripes, {"auto", "ridge", "classic"}, "how stripes are located (§3.4)");
   t.Add("indexing", &o->indexing, {"auto", "joint", "classic"}, "how stripes get their orders (§3.5)");
+  t.Add("shading", &o->shading, {"auto", "led", "none"},
+        "whether the surface's brightness is taken off the stripes' centres (robust mask, ridges)");
   t.Add("sheets", &o->sheets, {"auto", "cone", "plane"}, "model of a light sheet (§3.6)");
   t.Add("correction", &o->correction, {"auto", "polynomial", "none"},
         "surface error correction of plane sheets (3.9)");
@@ -55,6 +57,7 @@ ReconstructOptions ResolveStages(ReconstructOptions o) {
   decide(&o.mask, "robust", "classic");
   decide(&o.stripes, "ridge", "classic");
   decide(&o.indexing, "joint", "classic");
+  decide(&o.shading, "led", "none");
   decide(&o.sheets, "cone", "plane");
   if (o.correction == "auto") o.correction = o.sheets == "plane" ? "polynomial" : "none";
   decide(&o.fusion, "robust", "classic");

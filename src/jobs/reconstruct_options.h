@@ -15,6 +15,7 @@
 #include "stripes/object_stripes.h"
 #include "stripes/pooling.h"
 #include "stripes/ridge.h"
+#include "stripes/shading.h"
 #include "stripes/smoothing.h"
 #include "surface/height_field.h"
 #include "surface/robust_fusion.h"
@@ -30,14 +31,16 @@ struct ReconstructOptions {
   std::string indexing = "auto";    // joint | classic
   std::string sheets = "auto";      // cone | plane
   std::string correction = "auto";  // polynomial | none; auto: polynomial for planes
+  std::string shading = "auto";     // led | none
   std::string fusion = "auto";      // robust | classic
   std::vector<int> lasers;          // use only these; empty: all
 
   ObjectMaskOptions object_mask;
   RidgeOptions ridge;
-  PoolingOptions pooling;
+  PoolingOptions pooling{.max_half_rows = 12};  // the object bends, so wide windows are wrong
   JointIndexingOptions joint_indexing;
   ObjectSplitOptions object_split;
+  ShadingOptions surface_shading;
   RobustFusionOptions robust_fusion;
 
   HandMaskOptions hand_mask;

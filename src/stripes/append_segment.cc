@@ -53,4 +53,14 @@ LaserStripes KeepPoints(const LaserStripes& stripes, std::span<const char> keep)
   return out;
 }
 
+void UpdateExtremes(LaserStripes* stripes) {
+  for (StripeSegment& segment : stripes->segments) {
+    for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
+      const float u = stripes->points[static_cast<std::size_t>(i)].u;
+      segment.min_u = i == segment.first ? u : std::min(segment.min_u, u);
+      segment.max_u = i == segment.first ? u : std::max(segment.max_u, u);
+    }
+  }
+}
+
 }  // namespace dorsum

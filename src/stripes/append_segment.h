@@ -16,4 +16,7 @@ void AppendSegment(std::span<const StripePoint> points, std::optional<int> order
 // keep their order; left and right neighbours are forgotten.
 LaserStripes KeepPoints(const LaserStripes& stripes, std::span<const char> keep);
 
+// Sets every segment's min_u and max_u anew after its points were moved.
+void UpdateExtremes(LaserStripes* stripes);
+
 }  // namespace dorsum

@@ -40,10 +40,25 @@ bool IsCut(const ProfileFlanks& f, double whole, const CutStripeOptions& options
          (ratio < options.max_flank_ratio && width < options.max_width_ratio);
 }
 
+// Whether the run of rows [first, end) reaches an end of the segment and grows dim towards it.
+bool FadesOut(const std::vector<StripePoint>& points, std::size_t first, std::size_t end,
+              const CutStripeOptions& options) {
+  constexpr std::size_t kRows = 6;
+  if (end - first < 2 * kRows) return false;
+  const auto mean = [&](std::size_t from) {
+    double sum = 0.0;
+    for (std::size_t i = from; i < from + kRows; ++i) sum += static_cast<double>(points[i].peak);
+    return sum;
+  };
+  const double head = mean(first), tail = mean(end - kRows);
+  return (first == 0 && head < options.fading_ratio * tail) ||
+         (end == points.size() && tail < options.fading_ratio * head);
+}
+
 // -1: the left flank is cut; 1: the right; 0: none. Runs of narrow rows are judged together: one cut row
 // makes the run a cut, and all its rows say on which side.
-std::vector<int> CutSides(const std::vector<ProfileFlanks>& flanks, double whole,
-                          const CutStripeOptions& options) {
+std::vector<int> CutSides(const std::vector<StripePoint>& points, const std::vector<ProfileFlanks>& flanks,
+                          double whole, const CutStripeOptions& options) {
   std::vector<int> cut(flanks.size(), 0);
   const auto is_narrow = [&](std::size_t i) {
     return flanks[i].left + flanks[i].right <= options.whole_width_ratio * whole ||
@@ -59,7 +74,8 @@ std::vector<int> CutSides(const std::vector<ProfileFlanks>& flanks, double whole
       side += std::log(std::max(0.1, flanks[end].left) / std::max(0.1, flanks[end].right));
     }
     const auto rows = static_cast<double>(end - first);
-    is_cut = is_cut || (is_slim && std::abs(side) > -std::log(options.leaning_flank_ratio) * rows);
+    is_cut = is_cut || (is_slim && std::abs(side) > -std::log(options.leaning_flank_ratio) * rows) ||
+             (is_slim && FadesOut(points, first, end, options));
     if (is_cut)
       std::fill(cut.begin() + static_cast<std::ptrdiff_t>(first),
                 cut.begin() + static_cast<std::ptrdiff_t>(end), side > 0.0 ? 1 : -1);
@@ -163,7 +179,7 @@ LaserStripes MendCutStripes(const cv::Mat& green, const LaserStripes& stripes, c
     const std::vector<StripePoint> points(first, first + s.count);
     const std::vector<ProfileFlanks> flanks = FlanksAlong(green, points, options.half_rows);
     const double whole = WholeWidth(flanks, 2.3548 * usual_width_px);
-    const std::vector<int> cut = CutSides(flanks, whole, options);
+    const std::vector<int> cut = CutSides(points, flanks, whole, options);
     const double width = whole / 2.3548;
     std::vector<StripePoint>& kept = segments[static_cast<std::size_t>(n)];
     std::vector<char> good(points.size(), 1);

@@ -13,9 +13,10 @@ struct CutStripeOptions {
   int half_rows = 3;  // rows to either side whose profiles are averaged to judge a row
   // A stripe is cut where its width at half the peak is below this share of the segment's usual width and one
   // flank is shorter than the other by `max_flank_ratio`; where that alone is striking; or where
-  // the width alone is, and the whole run of narrow rows leans to one side. All 0 to 1.
+  // the width alone is, and the whole run of narrow rows leans to one side or fades out at the segment's
+  // end. All 0 to 1.
   double max_width_ratio = 0.8, max_flank_ratio = 0.8;
-  double steep_flank_ratio = 0.45, slim_width_ratio = 0.7, leaning_flank_ratio = 0.935;
+  double steep_flank_ratio = 0.45, slim_width_ratio = 0.7, leaning_flank_ratio = 0.935, fading_ratio = 0.6;
   double whole_width_ratio = 0.96;  // the cut goes on along the stripe until the width is this again, 0 to 1
   double min_inside_px = 0.8;       // a centre closer to where the light ends is not on the surface, px
   double amplitude_share = 0.2;  // how far a cut row's amplitude may be from its neighbours', one deviation

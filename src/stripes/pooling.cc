@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "stripes/append_segment.h"
 #include "stripes/local_polynomial.h"
 #include "stripes/row_noise.h"
 
@@ -63,6 +64,9 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
   std::vector<StripeCurve> curves = CurvesOf(stripes);
   const std::vector<int> sizes = WindowSizes(options);
   const RowNoise noise = MeasureRowNoise(options.noise, &curves);
+  // Many rows together know as much as fewer independent ones.
+  const double alike = std::sqrt(1.0 + 2.0 * noise.correlation.share * noise.correlation.decay /
+                                           (1.0 - noise.correlation.decay));
   ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
     const auto i = static_cast<std::size_t>(n);
     const StripeCurve& curve = curves[i];
@@ -73,19 +77,15 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
     for (std::size_t k = 0; k < curve.v.size(); ++k) {
       const Choice choice =
           ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence, &tried);
-      if (choice.half_rows == 0) continue;
       StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];
+      p.row_u = p.u;
+      p.row_sd_px = static_cast<float>(std::hypot(curve.sd[k] * noise.per_curve[i] * alike, pull[k]));
+      if (choice.half_rows == 0) continue;
       p.u = static_cast<float>(choice.estimate.u);
       p.sd_px = static_cast<float>(std::hypot(choice.estimate.sd, pull[k]));
     }
   });
-  for (StripeSegment& segment : stripes.segments) {
-    for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
-      const float u = stripes.points[static_cast<std::size_t>(i)].u;
-      segment.min_u = i == segment.first ? u : std::min(segment.min_u, u);
-      segment.max_u = i == segment.first ? u : std::max(segment.max_u, u);
-    }
-  }
+  UpdateExtremes(&stripes);
   return stripes;
 }
 

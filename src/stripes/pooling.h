@@ -12,15 +12,16 @@ struct PoolingOptions {
   int min_half_rows = 3;    // smallest window: this many rows to either side, 2 to 20
   int max_half_rows = 48;   // largest, rows
   double confidence = 2.7;  // windows grow while their estimates agree within this many standard deviations
-  RowNoiseOptions noise;
-  BrightnessPullOptions pull;
+  RowNoiseOptions noise = {};
+  BrightnessPullOptions pull = {};
 };
 
 // Local quadratic regression of u over the rows of each segment, with the largest window that the noise does
 // not contradict (intersection of confidence intervals: Lepski 1991; Goldenshluger and Nemirovski 1997). A
 // window never leaves its segment. Speckle and compression make neighbouring rows err alike: the rows'
 // autocorrelation and the scale of their formal deviations are measured from residuals, and `sd_px` is the
-// pooled estimate's own with both. Points of segments too short to pool stay as they are.
+// pooled estimate's own with both; `row_u` and `row_sd_px` keep the single row. Points of segments too short
+// to pool stay as they are.
 LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& options, const Context& context);
 
 }  // namespace dorsum

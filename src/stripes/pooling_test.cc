@@ -74,6 +74,27 @@ TEST(Pooling, NeighboursThatErrAlikeDoNotMakeItOverconfident) {
   EXPECT_LT(e.sigma_ratio, 1.3);
 }
 
+TEST(Pooling, KeepsTheRowAndWhatItIsWorthAlone) {
+  const auto truth = [](int s, int v) { return 100.0 * s + 0.1 * v; };
+  const LaserStripes rows = Noisy(truth, 300, 0.2, 1.2, 0.2), pooled = PoolAlongStripes(rows, {}, {});
+  // Rows that err alike over some rows: a mean of n of them is no better than that of n independent rows with
+  // the larger deviation.
+  double deviation = 0.0, spread = 0.0;
+  for (int s = 0; s < 12; ++s) {
+    double mean = 0.0;
+    for (int v = 0; v < 300; ++v) {
+      const auto i = static_cast<std::size_t>(300 * s + v);
+      ASSERT_EQ(pooled.points[i].row_u, rows.points[i].u);
+      mean += (static_cast<double>(rows.points[i].u) - truth(s, v)) / 300.0;
+      deviation += static_cast<double>(pooled.points[i].row_sd_px) / 3600.0;
+    }
+    spread += mean * mean / 12.0;
+  }
+  EXPECT_GT(deviation / std::sqrt(300.0), 0.5 * std::sqrt(spread));
+  EXPECT_LT(deviation / std::sqrt(300.0), 2.0 * std::sqrt(spread));
+  EXPECT_GT(deviation, 0.25);
+}
+
 TEST(Pooling, DoesNotFlattenBumps) {
   const auto truth = [](int s, int v) {
     return 100.0 * s + 3.0 * std::exp(-0.5 * std::pow((v - 150) / 9.0, 2.0));

@@ -49,10 +49,12 @@ Equations Linearise(const std::uint8_t* row, const ProfileStart& start, const Pr
   Equations e;
   const double inverse = 1.0 / fit.width;
   for (int x = fit.first; x <= fit.last; ++x) {
+    const double gain = start.gain == nullptr ? 1.0 : static_cast<double>(start.gain[x]);
+    if (gain <= 0.0) continue;
     const double t = (x - fit.u) * inverse;
-    const double shape = std::exp(-0.5 * t * t);
+    const double shape = gain * std::exp(-0.5 * t * t);
     const double signal = fit.amplitude * shape;
-    const double model = fit.background + signal;
+    const double model = gain * fit.background + signal;
     double residual = static_cast<double>(row[x]) - model;
     if (row[x] >= saturated) {
       residual = saturated - model;
@@ -60,7 +62,7 @@ Equations Linearise(const std::uint8_t* row, const ProfileStart& start, const Pr
     }
     const double weight = 1.0 / noise.Variance(std::min(model, 255.0));
     const double slope = signal * t * inverse;
-    const Vector4 jacobian = {slope, slope * t, shape, 1.0};
+    const Vector4 jacobian = {slope, slope * t, shape, gain};
     for (std::size_t i = 0; i < 4; ++i) {
       const double wj = weight * jacobian[i];
       for (std::size_t j = 0; j <= i; ++j) e.matrix[i][j] += wj * jacobian[j];
@@ -96,19 +98,25 @@ void SetWindow(const ProfileStart& start, const ProfileFitOptions& options, doub
   fit->last = std::min(start.last, static_cast<int>(std::floor(u + half)));
 }
 
-void Begin(const std::uint8_t* row, const ProfileStart& start, const ProfileFitOptions& options,
-           ProfileFit* fit) {
+// Returns the number of pixels that are seen.
+int Begin(const std::uint8_t* row, const ProfileStart& start, const ProfileFitOptions& options,
+          ProfileFit* fit) {
+  int seen = 0;
   fit->u = start.u;
   fit->width = start.width;
   SetWindow(start, options, start.u, start.width, fit);
-  int low = 255, high = 0;
+  double low = 1e9, high = 0.0;
   for (int x = fit->first; x <= fit->last; ++x) {
-    low = std::min<int>(low, row[x]);
-    high = std::max<int>(high, row[x]);
+    const double gain = start.gain == nullptr ? 1.0 : static_cast<double>(start.gain[x]);
+    if (gain <= 0.0) continue;
+    ++seen;
+    low = std::min(low, row[x] / std::max(0.2, gain));
+    high = std::max(high, row[x] / std::max(0.5, gain));
     fit->clipped += row[x] >= options.saturated_grey ? 1 : 0;
   }
-  fit->background = low;
-  fit->amplitude = std::max(1.0, static_cast<double>(high - low) + (fit->clipped > 0 ? 20.0 : 0.0));
+  fit->background = std::min(low, high);
+  fit->amplitude = std::max(1.0, high - fit->background + (fit->clipped > 0 ? 20.0 : 0.0));
+  return seen;
 }
 
 bool IsSane(const ProfileFit& fit, const ProfileStart& start, const ProfileFitOptions& options) {
@@ -167,9 +175,9 @@ bool FormalSd(Equations at, bool width_held, ProfileFit* fit) {
 ProfileFit Attempt(const std::uint8_t* row, const ProfileStart& start, const NoiseModel& noise,
                    const ProfileFitOptions& options, bool hold_width) {
   ProfileFit fit;
-  Begin(row, start, options, &fit);
+  const int seen = Begin(row, start, options, &fit);
   fit.width_held = hold_width;
-  if (fit.last - fit.first < 4) return fit;
+  if (seen < 5) return fit;
   Equations at;
   fit.ok = Iterate(row, start, noise, options, &fit, &at) && FormalSd(at, hold_width, &fit);
   return fit;

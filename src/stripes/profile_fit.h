@@ -19,11 +19,13 @@ struct ProfileStart {
   double u = 0.0, width = 2.0;  // px
   int first = 0, last = 0;      // columns
   bool hold_width = false;      // the centre may then lie a width outside [first, last]
+  // How bright the surface is in every column of the row, 0: not seen there; null: alike everywhere.
+  const float* gain = nullptr;
   // What the amplitude is expected to be, and its standard deviation, grey values; 0: nothing is known.
   double amplitude = 0.0, amplitude_sd = 0.0;
 };
 
-// A Gaussian on an even background, in one row of an image.
+// A Gaussian on an even background, in one row of an image; with a gain, times that.
 struct ProfileFit {
   bool ok = false;
   bool width_held = false;  // the row does not fix the width; the start's stands
@@ -35,7 +37,7 @@ struct ProfileFit {
   int first = 0, last = 0;  // columns used
   int clipped = 0;          // pixels in the window at or above saturated_grey
 
-  double At(double column) const;
+  double At(double column) const;  // without gain
 };
 
 // Weighted least squares of centre, width, amplitude and background (Levenberg-Marquardt) with the noise

@@ -106,5 +106,38 @@ TEST(ProfileFit, AnEmptyWindowIsRefused) {
   EXPECT_FALSE(FitProfile(flat.data(), start, {}, {}).ok);
 }
 
+TEST(ProfileFit, TheGainOfTheSurfaceDoesNotPullTheCentre) {
+  Rng rng(5);
+  std::vector<float> gain;
+  std::vector<std::uint8_t> row = Row(30.3, 2.5, 150.0, 8.0, 0.0, &rng);
+  for (int x = 0; x <= 60; ++x) {
+    gain.push_back(static_cast<float>(std::exp(-0.08 * (x - 30.3))));
+    row[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(
+        std::lround(std::min(255.0F, static_cast<float>(row[static_cast<std::size_t>(x)]) * gain.back())));
+  }
+  ProfileStart start = Start(30.0, 2.2);
+  EXPECT_NEAR(FitProfile(row.data(), start, {}, {}).u, 30.3 - 0.08 * 2.5 * 2.5, 0.1);
+  start.gain = gain.data();
+  EXPECT_NEAR(FitProfile(row.data(), start, {}, {}).u, 30.3, 0.02);
+}
+
+TEST(ProfileFit, ColumnsWithoutGainDoNotCount) {
+  Rng rng(6);
+  std::vector<std::uint8_t> row = Row(30.3, 2.5, 150.0, 8.0, 0.0, &rng);
+  std::vector<float> gain(61, 1.0F);
+  for (std::size_t x = 31; x < 61; ++x) {
+    row[x] = 200;  // something else
+    gain[x] = 0.0F;
+  }
+  ProfileStart start = Start(29.5, 2.5);
+  start.hold_width = true;
+  start.gain = gain.data();
+  const ProfileFit fit = FitProfile(row.data(), start, {}, {});
+  ASSERT_TRUE(fit.ok);
+  EXPECT_NEAR(fit.u, 30.3, 0.05);
+  std::fill(gain.begin(), gain.end(), 0.0F);
+  EXPECT_FALSE(FitProfile(row.data(), start, {}, {}).ok);
+}
+
 }  // namespace
 }  // namespace dorsum

@@ -105,9 +105,10 @@ LaserStripes ScaleDeviations(LaserStripes stripes) {
 }  // namespace
 
 LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeOptions& options,
-                        const Context& context) {
+                        const Context& context, NoiseModel* noise) {
   const RidgeSurvey survey =
       SurveyRidges(green, region, options.width_px, options.detection, options.fit, context);
+  if (noise != nullptr) *noise = survey.noise;
   LaserStripes none;
   none.laser = laser;
   if (!(survey.width_px > 0.0)) return none;

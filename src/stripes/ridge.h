@@ -33,8 +33,8 @@ struct RidgeOptions {
 // `peak` is the amplitude above the surroundings, grey values, 255 at most, `width` the profile's standard
 // deviation. Points come by segment, one per row at most. `green` is CV_8UC1; `region` CV_8UC1 (only
 // candidates on its non-zero pixels are looked at) or empty. Takes the place of §3.4's edge kernel and the
-// region boundary of Algorithm 1.
+// region boundary of Algorithm 1. `noise`, if given, gets the picture's noise model.
 LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeOptions& options,
-                        const Context& context);
+                        const Context& context, NoiseModel* noise = nullptr);
 
 }  // namespace dorsum

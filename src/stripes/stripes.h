@@ -16,8 +16,11 @@ inline constexpr std::int32_t kNoPoint = -1;
 struct StripePoint {
   float u = 0.0F, v = 0.0F;  // px, in the captured, distorted image
   float sd_px = 0.0F;        // one standard deviation of u
-  float peak = 0.0F;         // green value at the stripe (classic) or its rise around it (ridges), 0 to 255
-  float width = 0.0F;        // one standard deviation of the stripe's profile, px; 0: not measured
+  // u before rows were pooled, and the standard deviation that rows which err independently would need to say
+  // no more than these do together, px; 0: rows were not pooled.
+  float row_u = 0.0F, row_sd_px = 0.0F;
+  float peak = 0.0F;   // green value at the stripe (classic) or its rise around it (ridges), 0 to 255
+  float width = 0.0F;  // one standard deviation of the stripe's profile, px; 0: not measured
   std::int32_t segment = kNoPoint;
   std::int32_t left = kNoPoint, right = kNoPoint, top = kNoPoint, bottom = kNoPoint;
 };

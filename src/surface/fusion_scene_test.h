@@ -79,7 +79,7 @@ inline PlateLattice FullLattice(int columns, int rows, double step_px, float sti
   l.step_px = step_px;
   l.active = cv::Mat1b(rows, columns, std::uint8_t{255});
   l.z = cv::Mat1f(rows, columns, 0.0F);
-  l.stiffness = cv::Mat1f(rows, columns, stiffness);
+  l.stiffness = cv::Mat3f(rows, columns, cv::Vec3f::all(stiffness));
   return l;
 }
 

@@ -93,14 +93,14 @@ void AddBending(const PlateOptions& options, const PlateLattice& l, Stencil* s) 
       const auto wide = static_cast<std::size_t>(s->cols);
       const bool e = on(c + 1, r), n = on(c, r + 1);
       if (on(c - 1, r) && e) {
-        s->Add<3>({i - 1, i, i + 1}, {1.0F, -2.0F, 1.0F}, scale * l.stiffness(r, c), 0.0F);
+        s->Add<3>({i - 1, i, i + 1}, {1.0F, -2.0F, 1.0F}, scale * l.stiffness(r, c)[0], 0.0F);
       }
       if (on(c, r - 1) && n) {
-        s->Add<3>({i - wide, i, i + wide}, {1.0F, -2.0F, 1.0F}, scale * l.stiffness(r, c), 0.0F);
+        s->Add<3>({i - wide, i, i + wide}, {1.0F, -2.0F, 1.0F}, scale * l.stiffness(r, c)[2], 0.0F);
       }
       if (e && n && on(c + 1, r + 1)) {
         s->Add<4>({i, i + 1, i + wide, i + wide + 1}, {1.0F, -1.0F, -1.0F, 1.0F},
-                  2.0F * scale * l.stiffness(r, c), 0.0F);
+                  2.0F * scale * l.stiffness(r, c)[1], 0.0F);
       }
       if (e) s->Add<2>({i, i + 1}, {-1.0F, 1.0F}, tension, 0.0F);
       if (n) s->Add<2>({i, i + wide}, {-1.0F, 1.0F}, tension, 0.0F);

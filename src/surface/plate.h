@@ -16,7 +16,7 @@ struct PlateLattice {
   double step_px = 2.5;
   cv::Mat1b active;     // 0 or 255
   cv::Mat1f z;          // mm
-  cv::Mat1f stiffness;  // weight of the squared curvature, one per node, above 0
+  cv::Mat3f stiffness;  // weights of z_xx^2, z_xy^2 and z_yy^2, one triple per node, above 0
 
   double U(int c) const { return u0 + step_px * c; }
   double V(int r) const { return v0 + step_px * r; }
@@ -37,7 +37,7 @@ struct PlateOptions {
 };
 
 // The thin plate that minimises
-//   sum w_i (z(u_i, v_i) - z_i)^2 + integral stiffness (z_xx^2 + 2 z_xy^2 + z_yy^2) dx dy
+//   sum w_i (z(u_i, v_i) - z_i)^2 + integral (s_xx z_xx^2 + 2 s_xy z_xy^2 + s_yy z_yy^2) dx dy
 // over the active nodes, bilinear between nodes, free at its borders (Wahba 1990, Terzopoulos 1986). It
 // starts from lattice->z. Samples without four active corners are left out. Returns the iterations made.
 int SolvePlate(const std::vector<PlateSample>& samples, const PlateOptions& options, PlateLattice* lattice,

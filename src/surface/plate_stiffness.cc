@@ -2,16 +2,22 @@
 #include "surface/plate_stiffness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <opencv2/imgproc.hpp>
 
 namespace dorsum {
 namespace {
 
-// Squared curvature z_xx^2 + z_yy^2 + 2 z_xy^2 at the nodes whose neighbours are known, mm^-2; weight 0 or 1.
-void SquaredCurvature(const PlateLattice& l, double step_mm, cv::Mat1f* curvature, cv::Mat1f* weight) {
-  *curvature = cv::Mat1f(l.z.size(), 0.0F);
+// A surface that bends alike in all directions has 3/8, 1/8 and 3/8 of the squared curvature in xx^2, xy^2
+// and yy^2.
+constexpr std::array<float, 3> kComponents = {8.0F / 3.0F, 8.0F, 8.0F / 3.0F};
+
+// z_xx^2, z_xy^2 and z_yy^2 at the nodes whose neighbours are known, mm^-2; weight 0 or 1.
+void SquaredCurvature(const PlateLattice& l, double step_mm, cv::Mat3f* curvature, cv::Mat1f* weight) {
+  *curvature = cv::Mat3f(l.z.size(), cv::Vec3f::all(0.0F));
   *weight = cv::Mat1f(l.z.size(), 0.0F);
   const auto scale = static_cast<float>(1.0 / std::pow(step_mm, 4));
   for (int r = 1; r + 1 < l.z.rows; ++r) {
@@ -23,18 +29,30 @@ void SquaredCurvature(const PlateLattice& l, double step_mm, cv::Mat1f* curvatur
         continue;
       const float xx = z1[c - 1] - 2.0F * z1[c] + z1[c + 1], yy = z0[c] - 2.0F * z1[c] + z2[c];
       const float xy = z1[c] - z1[c + 1] - z2[c] + z2[c + 1];
-      (*curvature)(r, c) = scale * (xx * xx + yy * yy + 2.0F * xy * xy);
+      (*curvature)(r, c) = scale * cv::Vec3f(xx * xx, xy * xy, yy * yy);
       (*weight)(r, c) = 1.0F;
     }
   }
 }
 
+// The variances of the three, each drawn a little towards their mean, where the square of the whole curvature
+// is xx^2 + 2 xy^2 + yy^2. All alike, they are the square of the whole curvature.
+cv::Vec3f Variances(const cv::Vec3f& squares, double share_between) {
+  const float whole = squares[0] + 2.0F * squares[1] + squares[2];
+  const auto share = static_cast<float>(share_between);
+  cv::Vec3f out;
+  for (int i = 0; i < 3; ++i)
+    out[i] = share * whole + (1.0F - share) * kComponents[static_cast<std::size_t>(i)] * squares[i];
+  return out;
+}
+
 }  // namespace
 
-cv::Mat1f LocalStiffness(const PlateLattice& coarse, const PlateLattice& fine,
+cv::Mat3f LocalStiffness(const PlateLattice& coarse, const PlateLattice& fine,
                          const PlateStiffnessOptions& options) {
   const double step_mm = coarse.step_px * options.mm_per_px;
-  cv::Mat1f curvature, weight;
+  cv::Mat3f curvature;
+  cv::Mat1f weight;
   SquaredCurvature(coarse, step_mm, &curvature, &weight);
   const double sigma = options.window_mm / step_mm;
   cv::GaussianBlur(curvature, curvature, {}, sigma, sigma, cv::BORDER_CONSTANT);
@@ -43,23 +61,22 @@ cv::Mat1f LocalStiffness(const PlateLattice& coarse, const PlateLattice& fine,
   const auto area = static_cast<float>(options.correlation_area_mm2);
   constexpr float kEnough = 1e-3F;  // of the window's weight
   // The largest curvature that is known at all stands in where there is none: better soft than stiff.
-  double highest = 0.0;
+  float highest = 0.0F;
   for (int r = 0; r < coarse.z.rows; ++r) {
     for (int c = 0; c < coarse.z.cols; ++c) {
-      if (weight(r, c) > kEnough) {
-        curvature(r, c) /= weight(r, c);
-        highest = std::max(highest, static_cast<double>(curvature(r, c)));
-      }
+      if (weight(r, c) <= kEnough) continue;
+      curvature(r, c) = Variances(curvature(r, c) / weight(r, c), options.share_between);
+      for (int i = 0; i < 3; ++i) highest = std::max(highest, curvature(r, c)[i]);
     }
   }
-  cv::Mat1f out(fine.z.size(), 1.0F);
+  cv::Mat3f out(fine.z.size());
   const double ratio = fine.step_px / coarse.step_px;
   for (int r = 0; r < out.rows; ++r) {
     const int y = std::min(coarse.z.rows - 1, static_cast<int>(std::lround(r * ratio)));
     for (int c = 0; c < out.cols; ++c) {
       const int x = std::min(coarse.z.cols - 1, static_cast<int>(std::lround(c * ratio)));
-      const float k2 = weight(y, x) > kEnough ? curvature(y, x) : static_cast<float>(highest);
-      out(r, c) = 1.0F / (area * (least + k2));
+      const cv::Vec3f k2 = weight(y, x) > kEnough ? curvature(y, x) : cv::Vec3f::all(highest);
+      for (int i = 0; i < 3; ++i) out(r, c)[i] = 1.0F / (area * (least + k2[i]));
     }
   }
   return out;

@@ -93,9 +93,10 @@ class Fuser {
     const std::vector<bool> misplaced = FindMisplaced(points_, outline_, {.mm_per_px = mm_per_px_});
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const SurfacePoint& p = points_[i];
-      const float sigma = std::max(p.sigma, kLeastSigma);
+      const bool pooled = p.row_sigma > 0.0F;  // the plate does that better, over the lasers too
+      const float sigma = std::max(pooled ? p.row_sigma : p.sigma, kLeastSigma);
       const float weight = misplaced[i] ? 0.0F : 1.0F / (sigma * sigma);
-      samples_.push_back({p.u, p.v, static_cast<float>(p.position.z()), weight});
+      samples_.push_back({p.u, p.v, pooled ? p.row_z : static_cast<float>(p.position.z()), weight});
       lasers_.push_back(p.laser);
       if (misplaced[i]) out_.verdicts[i] = PointVerdict::kMisplaced;
       out_.misplaced += misplaced[i] ? 1 : 0;
@@ -121,7 +122,7 @@ class Fuser {
 
   // From loose to tight, so that what few samples say does not bend the surface (graduated non-convexity).
   void SolveCoarsest() {
-    levels_[0].stiffness = cv::Mat1f(levels_[0].z.size(), kStartStiffness);
+    levels_[0].stiffness = cv::Mat3f(levels_[0].z.size(), cv::Vec3f::all(kStartStiffness));
     StartFromMedians(samples_, levels_.data());
     Solve(0, {8.0, 4.0, 2.5});
   }
@@ -170,10 +171,12 @@ class Fuser {
       if (s.weight <= 0.0F) continue;
       const float z = HeightAt(levels_.back(), s.u, s.v);
       const double limit =
-          std::max(options_.outlier_mm, options_.outlier_sigmas / std::sqrt(static_cast<double>(s.weight)));
+          std::max(options_.outlier_mm, options_.outlier_sigmas * static_cast<double>(points_[i].sigma));
+      const double own =
+          points_[i].row_sigma > 0.0F ? points_[i].position.z() - static_cast<double>(points_[i].row_z) : 0.0;
       if (!std::isfinite(z)) {
         out_.verdicts[i] = PointVerdict::kUnused;
-      } else if (std::abs(s.z - z) > limit) {
+      } else if (std::abs(static_cast<double>(s.z - z) + own) > limit) {
         out_.verdicts[i] = PointVerdict::kOutlier;
         ++out_.outliers;
       }

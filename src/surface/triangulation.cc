@@ -26,6 +26,11 @@ std::optional<SurfacePoint> TriangulateOne(const StripePoint& p, int order, cons
   }
   const double dz_du = 2.0 * (beside->z() - position->z());
   out.sigma = static_cast<float>(std::hypot(dz_du * p.sd_px, laser.residual_mm));
+  if (p.row_sd_px > 0.0F) {
+    out.row_z = static_cast<float>(out.position.z() + dz_du * static_cast<double>(p.row_u - p.u));
+    out.row_sigma =
+        static_cast<float>(std::hypot(dz_du * static_cast<double>(p.row_sd_px), laser.residual_mm));
+  }
   out.laser = static_cast<std::uint8_t>(laser.laser);
   out.order = static_cast<std::int16_t>(order);
   out.u = p.u;

@@ -67,6 +67,19 @@ TEST_F(TriangulationTest, RaysMeetTheSheetsWhereTheLightIs) {
   EXPECT_EQ(t.without_sheet, 0);
 }
 
+TEST_F(TriangulationTest, ARowsOwnHeightComesWithItsOwnDeviation) {
+  const Triangulation plain = Triangulate(stripes_, device_, {});
+  EXPECT_EQ(plain.points[3].row_sigma, 0.0F);
+  StripePoint& p = stripes_.lasers[0].points[3];
+  p.row_u = p.u + 0.5F;
+  p.row_sd_px = 2.0F * p.sd_px;
+  const Triangulation pooled = Triangulate(stripes_, device_, {});
+  p.u = p.row_u;
+  const Triangulation moved = Triangulate(stripes_, device_, {});
+  EXPECT_NEAR(pooled.points[3].row_z, moved.points[3].position.z(), 1e-3);
+  EXPECT_NEAR(pooled.points[3].row_sigma, 2.0F * plain.points[3].sigma, 1e-4);
+}
+
 TEST_F(TriangulationTest, TheCorrectionMovesAPointAlongItsRayToTheCorrectedHeight) {
   device_.lasers[1].correction.c = {0.02, 1e-4, -2e-4, 0.0, 0.0, 1e-6};
   const Triangulation t = Triangulate(stripes_, device_, {});

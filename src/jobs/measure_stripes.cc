@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jobs/measure_stripes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+#include "captures/image_file.h"
+#include "stripes/append_segment.h"
+#include "stripes/pooling.h"
+#include "stripes/shading.h"
+
+namespace dorsum {
+
+void KeepInside(const cv::Mat& mask, int slack_px, IndexedStripes* stripes) {
+  cv::Mat near;
+  const cv::Size side(2 * slack_px + 1, 2 * slack_px + 1);
+  cv::dilate(mask, near, cv::getStructuringElement(cv::MORPH_ELLIPSE, side));
+  const cv::Rect picture({}, near.size());
+  for (LaserStripes& one : stripes->lasers) {
+    std::vector<char> keep;
+    for (const StripePoint& p : one.points) {
+      const cv::Point at(cvRound(p.u), cvRound(p.v));
+      keep.push_back(picture.contains(at) && near.at<std::uint8_t>(at) != 0 ? 1 : 0);
+    }
+    one = KeepPoints(one, keep);
+  }
+}
+
+void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask, const std::map<int, NoiseModel>& noise,
+                    const ReconstructOptions& options, const Context& context, IndexedStripes* stripes) {
+  PoolingOptions pooling = options.pooling;
+  if (options.shading == "led") {
+    std::vector<LaserPicture> pictures;
+    for (const LaserStripes& one : stripes->lasers) {
+      const cv::Mat& picture = *capture.stripes[static_cast<std::size_t>(one.laser)];
+      pictures.push_back({GreenChannel(picture), noise.at(one.laser)});
+    }
+    const SurfaceBrightness brightness(GreenChannel(capture.hand), mask, *stripes,
+                                       options.surface_shading.brightness);
+    FitOnShadedSurface(brightness, pictures, options.ridge.fit, options.surface_shading, context, stripes);
+    pooling.pull.across_share *= options.surface_shading.left_over;
+  }
+  for (LaserStripes& one : stripes->lasers) one = PoolAlongStripes(std::move(one), pooling, context);
+}
+
+}  // namespace dorsum

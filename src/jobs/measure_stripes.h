@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+
+#include <opencv2/core.hpp>
+
+#include "base/context.h"
+#include "captures/capture.h"
+#include "jobs/reconstruct_options.h"
+#include "stripes/noise_model.h"
+#include "stripes/stripes.h"
+
+namespace dorsum {
+
+// Takes away the stripe points further than `slack_px` outside the mask (CV_8UC1, not 0 on the object).
+void KeepInside(const cv::Mat& mask, int slack_px, IndexedStripes* stripes);
+
+// From single rows to what is known of the sheets' centres, once the object and the orders are: the surface's
+// shading is taken off (stripes/shading.h) and rows are pooled (stripes/pooling.h). `noise` is that of
+// each laser's picture. `options` are resolved; the stripes must be ridges.
+void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask, const std::map<int, NoiseModel>& noise,
+                    const ReconstructOptions& options, const Context& context, IndexedStripes* stripes);
+
+}  // namespace dorsum
