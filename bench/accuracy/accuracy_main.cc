@@ -10,6 +10,7 @@
 #include "accuracy/plan.h"
 #include "accuracy/run_device.h"
 #include "accuracy/summary.h"
+#include "accuracy/synthetic_stripes.h"
 #include "accuracy/tables.h"
 #include "base/files.h"
 #include "base/version.h"
@@ -99,14 +100,24 @@ Status Print(const Results& results, const std::string& group) {
   return {};
 }
 
+Status Record(const Results& results, const std::string& name, const Arguments& arguments) {
+  if (arguments.results.empty()) return {};
+  std::error_code ignored;
+  fs::create_directories(arguments.results, ignored);
+  return WriteJson(fs::path(arguments.results) / (name + ".json"), ResultsToJson(results));
+}
+
 Status Finish(const Results& results, const std::string& name, const std::string& group,
               const Arguments& arguments) {
-  if (!arguments.results.empty()) {
-    std::error_code ignored;
-    fs::create_directories(arguments.results, ignored);
-    DORSUM_RETURN_IF_ERROR(WriteJson(fs::path(arguments.results) / (name + ".json"), ResultsToJson(results)));
-  }
+  DORSUM_RETURN_IF_ERROR(Record(results, name, arguments));
   return Print(results, group);
+}
+
+Status RunStripes(const Arguments& arguments, const Context& context) {
+  constexpr std::uint64_t kSeed = 20;  // not one of the tests'
+  const Results results{kVersion, {MeasureSyntheticStripes(kSeed, context)}};
+  std::printf("\n## synthetic stripes\n\n%s", SyntheticTable(results.devices.front()).c_str());
+  return Record(results, "stripes", arguments);
 }
 
 Status RunShort(const Arguments& arguments, const Context& context) {
@@ -152,6 +163,7 @@ Status RunAll(const Arguments& arguments, const Context& context) {
   if (!arguments.no_devices) {
     DORSUM_ASSIGN_OR_RETURN(const Results results, RunPlan(arguments, rungs, context));
     DORSUM_RETURN_IF_ERROR(Finish(results, "devices", "", arguments));
+    DORSUM_RETURN_IF_ERROR(RunStripes(arguments, context));
   }
   if (!arguments.write.empty() || !arguments.check.empty()) return Document(arguments);
   return {};

@@ -5,6 +5,7 @@
 #include "accuracy/limits.h"
 #include "accuracy/results.h"
 #include "accuracy/summary.h"
+#include "accuracy/synthetic_stripes.h"
 #include "accuracy/tables.h"
 #include "base/files.h"
 
@@ -65,7 +66,9 @@ Result<std::string> MakeDocument(const std::filesystem::path& bench) {
   DORSUM_ASSIGN_OR_RETURN(const LimitTable asked, ReadLimits(bench / "asked.toml"));
   DORSUM_ASSIGN_OR_RETURN(const Results captures, ReadResults(bench / "results/captures.json"));
   DORSUM_ASSIGN_OR_RETURN(const Results devices, ReadResults(bench / "results/devices.json"));
+  DORSUM_ASSIGN_OR_RETURN(const Results stripes, ReadResults(bench / "results/stripes.json"));
   std::map<std::string, std::string> places;
+  if (!stripes.devices.empty()) places["stripes"] = SyntheticTable(stripes.devices.front());
   AddTables("captures", captures, "four lasers", asked, &places);
   AddTables("devices", devices, "", asked, &places);
   return FillTemplate(text, places);
