@@ -43,6 +43,7 @@ LaserStripes Noisy(const std::function<double(int, int)>& truth, int rows, doubl
   LaserStripes stripes;
   for (int s = 0; s < 12; ++s) {
     std::vector<double> white;
+    white.reserve(static_cast<std::size_t>(rows) + 20);
     for (int i = 0; i < rows + 20; ++i) white.push_back(rng.Normal());
     AddStripe(&stripes, 0, rows, [&](int v) {
       double sum = 0.0, norm = 0.0;

@@ -181,7 +181,7 @@ void SurfaceBrightness::Along(double u, int v, int first, int last, float* gain)
     std::fill(gain + first, gain + last + 1, 1.0F);
     return;
   }
-  const double level = static_cast<double>(level_(v - part_.y, middle - part_.x));
+  const auto level = static_cast<double>(level_(v - part_.y, middle - part_.x));
   const Slope slope = FitRatio(u, v, level);
   for (int x = first; x <= last; ++x) {
     const double change =
