@@ -185,25 +185,24 @@ double HeightUncertainty(const BundleState& state, const Eigen::MatrixXd& covari
 }
 
 double LeftPattern(const std::vector<PatternPoint>& points) {
-  constexpr double kStretch = 25.0;  // mm of y
+  constexpr double kStretch = 25.0, kLeastPoints = 4.0;  // mm of y
   struct Cell {
-    double n = 0.0, sum = 0.0, square = 0.0;
+    double n = 0.0, sum = 0.0;
   };
-  std::map<std::tuple<int, int, int>, Cell> cells;
+  std::map<std::tuple<int, int, int>, Cell> cells;  // by height, stretch and order
   for (const PatternPoint& p : points) {
     if (std::abs(p.miss_mm) > 0.5) continue;
-    Cell& cell = cells[{p.order, static_cast<int>(std::floor(p.y_mm / kStretch)),
-                        static_cast<int>(std::lround(p.height_mm * 10.0))}];
+    Cell& cell = cells[{static_cast<int>(std::lround(p.height_mm * 10.0)),
+                        static_cast<int>(std::floor(p.y_mm / kStretch)), p.order}];
     cell.n += 1.0;
     cell.sum += p.miss_mm;
-    cell.square += p.miss_mm * p.miss_mm;
   }
   double sum = 0.0, count = 0.0;
   for (const auto& [key, cell] : cells) {
-    if (cell.n < 4.0) continue;
-    const double mean = cell.sum / cell.n;
-    const double variance = std::max(0.0, cell.square / cell.n - mean * mean) / (cell.n - 1.0);
-    sum += mean * mean - 2.0 * variance;  // neighbours err alike, so a mean scatters more than its rows say
+    const auto& [height, stretch, order] = key;
+    const auto next = cells.find({height, stretch, order + 1});
+    if (next == cells.end() || cell.n < kLeastPoints || next->second.n < kLeastPoints) continue;
+    sum += cell.sum / cell.n * next->second.sum / next->second.n;
     count += 1.0;
   }
   return count > 0.0 ? std::sqrt(std::max(0.0, sum / count)) : 0.0;

@@ -48,8 +48,9 @@ Result<std::vector<SeriesCheck>> CheckSeries(const BundleData& data, const Bundl
 double HeightUncertainty(const BundleState& state, const Eigen::MatrixXd& covariance, int fan, int min_order,
                          int max_order, double min_height_mm, double max_height_mm);
 
-// Pattern along a laser's stripes and over its orders that the model leaves on planes of all heights: root
-// mean square over cells of (order, stretch of y) of what their means exceed chance by, mm on the plane.
+// Pattern along a laser's stripes and over its orders that the model leaves on planes of all heights, root
+// mean square, mm on the plane: the mean residuals of stretches of y are multiplied with those of the next
+// order, whose noise is another while a model's error is nearly the same.
 struct PatternPoint {
   int order = 0;
   double y_mm = 0.0, height_mm = 0.0, miss_mm = 0.0;

@@ -29,7 +29,7 @@ TEST(BundleModel, AgreesWithTheGeometryLayer) {
         const auto world =
             bundle::PointOnPlane<double>(device.truth.lens.value.data(), device.truth.camera_from_world.start,
                                          device.truth.camera_from_world.value.data(), plane, pixel);
-        const double order =
+        const auto order =
             bundle::OrderAt<double>(device.truth.fans[k].start, device.truth.fans[k].value.data(), world);
         const auto expected = OrderAtHeight(device.camera, laser, SheetModel::kCone, pixel, z);
         ASSERT_TRUE(expected.has_value());

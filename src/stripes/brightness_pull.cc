@@ -27,7 +27,7 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
   std::vector<double> level;
   level.reserve(points.size());
   for (const StripePoint& p : points) level.push_back(std::log(std::max(0.5, static_cast<double>(p.peak))));
-  std::vector<double> squares(points.size(), 0.0);
+  std::vector<double> squares(points.size(), 0.0), sure(points.size(), 0.0);
   const auto n = static_cast<std::ptrdiff_t>(points.size());
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, k - options.half_rows);
@@ -50,6 +50,7 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
     // What the scatter about the line, alike in some neighbouring rows, makes of the slope by chance.
     const double chance = 4.0 * std::max(0.0, ll - slope * vl) / std::max(1.0, count - 2.0) / vv;
     squares[static_cast<std::size_t>(k)] = slope * slope - chance;
+    if (slope * slope > 4.0 * chance) sure[static_cast<std::size_t>(k)] = slope * slope - chance;
   }
   // Where the brightness happens to stand still along the stripe, it may still change across it: the mean
   // over a wider stretch speaks for the rows that show less.
@@ -60,7 +61,7 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
     for (std::ptrdiff_t i = first; i <= last; ++i) {
       mean += squares[static_cast<std::size_t>(i)] / (static_cast<double>(last - first) + 1.0);
     }
-    const double own = squares[static_cast<std::size_t>(k)];
+    const double own = sure[static_cast<std::size_t>(k)];
     pull[static_cast<std::size_t>(k)] =
         options.across_share * width * width * std::sqrt(std::max({0.0, own, mean}));
   }

@@ -23,6 +23,8 @@ double Quantile(std::vector<double> values, double share) {
 
 // Width at half the peak where the segment is whole: more than half of its rows may be cut. A
 // short segment may be cut throughout; there, twice the longer flank tells, or the image's usual width.
+constexpr double kLeastOfUsual = 0.88;  // a longer segment is hardly narrower than the others
+
 double WholeWidth(const std::vector<ProfileFlanks>& flanks, double usual) {
   const bool is_short = flanks.size() < 40;
   std::vector<double> widths;
@@ -30,7 +32,7 @@ double WholeWidth(const std::vector<ProfileFlanks>& flanks, double usual) {
   for (const ProfileFlanks& f : flanks)
     widths.push_back(is_short ? 2.0 * std::max(f.left, f.right) : f.left + f.right);
   const double width = Quantile(std::move(widths), is_short ? 0.5 : 0.6);
-  return is_short ? std::max(width, usual) : width;
+  return std::max(width, is_short ? usual : kLeastOfUsual * usual);
 }
 
 bool IsCut(const ProfileFlanks& f, double whole, const CutStripeOptions& options) {

@@ -57,10 +57,21 @@ bool IsOnDarkSide(const ProfileFit& fit, const ProfileStart& start, const Shadin
 
 // Whether the row is so dark, for a surface as bright as this, that it can only be the flank of a stripe
 // whose middle misses the surface.
-bool IsFlankOnly(const std::optional<double>& ratio, double sd_px, double width,
-                 const ShadingOptions& options) {
+bool IsFlankOnly(const std::optional<double>& ratio, const StripePoint& measured, double sd_px, double width,
+                 double usual_width, const ShadingOptions& options) {
   if (!ratio) return false;
-  return *ratio < options.dark || (*ratio < options.dim && sd_px > options.vague_sd * width);
+  return *ratio < options.dark || (*ratio < options.dim && sd_px > options.vague_sd * width) ||
+         (*ratio < options.dusky && static_cast<double>(measured.width) < options.narrow * usual_width);
+}
+
+double MedianWidth(const LaserStripes& stripes) {
+  std::vector<float> widths;
+  widths.reserve(stripes.points.size());
+  for (const StripePoint& p : stripes.points) widths.push_back(p.width);
+  if (widths.empty()) return 0.0;
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return static_cast<double>(*middle);
 }
 
 // Whether both flanks are there: without one, the row cannot tell the profile's width.
@@ -99,6 +110,7 @@ void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<L
   for (std::size_t k = 0; k < stripes->lasers.size(); ++k) {
     LaserStripes& one = stripes->lasers[k];
     const LaserPicture& picture = pictures[k];
+    const double usual_width = MedianWidth(one);
     const auto columns = ColumnsByRow(one, picture.green.rows);
     std::vector<StripePoint> points = one.points;
     std::vector<char> keep(points.size(), 1);
@@ -110,9 +122,10 @@ void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<L
         const auto at = static_cast<std::size_t>(i);
         const auto& row = columns[static_cast<std::size_t>(points[at].v)];
         const double width = WidthAround(one, segment, i);
-        const auto ratio = brightness.RatioOf(one.laser, *segment.order, points[at]);
+        const auto ratio = brightness.RatioOf(one.laser, *segment.order, points[at], width);
         const bool good = Refit(brightness, picture, row, width, fit, options, &gain, &points[at]) &&
-                          !IsFlankOnly(ratio, static_cast<double>(points[at].sd_px), width, options);
+                          !IsFlankOnly(ratio, one.points[at], static_cast<double>(points[at].sd_px), width,
+                                       usual_width, options);
         keep[at] = good ? 1 : 0;
       }
     });

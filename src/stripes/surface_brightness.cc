@@ -61,6 +61,11 @@ SurfaceBrightness::SurfaceBrightness(const cv::Mat& green, const cv::Mat& mask, 
   Compare(stripes);
 }
 
+bool SurfaceBrightness::IsInside(int u, int v) const {
+  return part_.contains({u, v}) &&
+         inside_px_(v - part_.y, u - part_.x) > static_cast<float>(options_.margin_px);
+}
+
 double SurfaceBrightness::LevelAt(double u, int v) const {
   const int y = v - part_.y;
   const double x = u - part_.x;
@@ -116,27 +121,39 @@ void SurfaceBrightness::Compare(const IndexedStripes& stripes) {
   cell_level_ /= least_one;
 }
 
-// A stripe that nowhere shows its own strength, since it runs along an outline, is as strong as the weaker of
-// the next orders that do: an order's efficiency changes little from one to the next (§2.5).
+// Efficiencies fall from the central order outwards (§2.5), so a stripe is at least as strong as the weaker
+// of its neighbours, and little weaker than a single one. A stripe that runs along an edge does not show that
+// itself.
 std::optional<double> SurfaceBrightness::StrengthOf(int laser, int order) const {
-  const auto after = strength_.lower_bound({laser, order});
-  std::optional<double> strength;
-  if (after != strength_.end() && after->first.first == laser) {
-    if (after->first.second == order) return after->second;
-    strength = after->second;
+  constexpr double kStep = 0.2;  // most that one order's logarithm falls behind the next
+  const auto own = strength_.find({laser, order});
+  const auto after = strength_.upper_bound({laser, order});
+  const auto at = strength_.lower_bound({laser, order});
+  const bool has_after = after != strength_.end() && after->first.first == laser;
+  const bool has_before = at != strength_.begin() && std::prev(at)->first.first == laser;
+  std::optional<double> least;
+  if (has_after && has_before) {
+    least = std::min(after->second, std::prev(at)->second);
+  } else if (has_after || has_before) {
+    least = (has_after ? after : std::prev(at))->second - kStep;
   }
-  if (after != strength_.begin() && std::prev(after)->first.first == laser) {
-    strength = std::min(strength.value_or(1e9), std::prev(after)->second);
-  }
-  return strength;
+  if (own == strength_.end()) return least;
+  return std::max(own->second, least.value_or(own->second));
 }
 
-std::optional<double> SurfaceBrightness::RatioOf(int laser, int order, const StripePoint& point) const {
+std::optional<double> SurfaceBrightness::RatioOf(int laser, int order, const StripePoint& point,
+                                                 double width_px) const {
   const std::optional<double> strength = StrengthOf(laser, order);
-  const cv::Point at(cvRound(point.u), cvRound(point.v));
-  if (!strength || !part_.contains(at) || point.peak >= kClippedPeak) return std::nullopt;
-  return std::log(std::max(1.0, static_cast<double>(point.peak))) -
-         LevelAt(static_cast<double>(point.u), at.y) - *strength;
+  const int v = cvRound(point.v);
+  if (!strength || !part_.contains({cvRound(point.u), v}) || point.peak >= kClippedPeak) return std::nullopt;
+  // Light at a step comes from its bright side.
+  const double reach = 1.2 * width_px;
+  double level = 0.0;
+  for (double u = point.u - reach; u <= point.u + reach; u += 0.5) {
+    if (IsInside(cvRound(u), v)) level = std::max(level, LevelAt(u, v));
+  }
+  if (level == 0.0) level = LevelAt(static_cast<double>(point.u), v);
+  return std::log(std::max(1.0, static_cast<double>(point.peak))) - level - *strength;
 }
 
 // Local regression, drawn towards 0: speckle makes a row's peak err by a tenth or more, alike over some rows.
@@ -167,10 +184,7 @@ SurfaceBrightness::Slope SurfaceBrightness::FitRatio(double u, double v, double 
 }
 
 void SurfaceBrightness::Along(double u, int v, int first, int last, float* gain) const {
-  const auto inside = [&](int x) {
-    return part_.contains({x, v}) &&
-           inside_px_(v - part_.y, x - part_.x) > static_cast<float>(options_.margin_px);
-  };
+  const auto inside = [&](int x) { return IsInside(x, v); };
   // The column that the others are measured against: the nearest to u that is known.
   int middle = std::clamp(cvRound(u), first, last);
   for (int away = 0; away <= last - first && !inside(middle); ++away) {

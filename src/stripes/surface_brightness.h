@@ -33,15 +33,16 @@ class SurfaceBrightness {
   // the object and in its margin. Places where nothing is known have 1 throughout.
   void Along(double u, int v, int first, int last, float* gain) const;
 
-  // Natural logarithm of a stripe's peak at a point over what that stripe has on a surface as bright as
-  // there; none where the stripe is too short to know, or the point is not on the object.
-  std::optional<double> RatioOf(int laser, int order, const StripePoint& point) const;
+  // Natural logarithm of a stripe's peak at a point over what that stripe has on a surface as bright as the
+  // brightest place within the stripe's width; none where no stripe shows that, or off the object.
+  std::optional<double> RatioOf(int laser, int order, const StripePoint& point, double width_px) const;
 
  private:
   struct Slope {
     double along_u = 0.0, of_level = 0.0;
   };
 
+  bool IsInside(int u, int v) const;
   double LevelAt(double u, int v) const;
   std::optional<double> StrengthOf(int laser, int order) const;
   void Compare(const IndexedStripes& stripes);

@@ -64,13 +64,14 @@ TEST(SurfaceBrightness, TellsHowDarkAPointIsForItsStripe) {
   const IndexedStripes stripes = scene.Stripes(All);
   const SurfaceBrightness bright(scene.led, scene.mask, stripes, {});
   StripePoint p = stripes.lasers[0].points[300];
-  EXPECT_NEAR(bright.RatioOf(0, 2, p).value_or(9.0), 0.0, 0.05);
+  EXPECT_NEAR(bright.RatioOf(0, 2, p, 2.0).value_or(9.0), 0.0, 0.05);
   p.peak *= 0.5F;
-  EXPECT_NEAR(bright.RatioOf(0, 2, p).value_or(9.0), std::log(0.5), 0.05);
-  EXPECT_NEAR(bright.RatioOf(0, 12, p).value_or(9.0), std::log(0.5), 0.05);  // as the next orders
-  EXPECT_FALSE(bright.RatioOf(7, 2, p).has_value());
+  EXPECT_NEAR(bright.RatioOf(0, 2, p, 2.0).value_or(9.0), std::log(0.5), 0.05);
+  EXPECT_NEAR(bright.RatioOf(0, 12, p, 2.0).value_or(9.0), std::log(0.5) + 0.2,
+              0.05);  // beyond the last order
+  EXPECT_FALSE(bright.RatioOf(7, 2, p, 2.0).has_value());
   p.u = 1.0F;
-  EXPECT_FALSE(bright.RatioOf(0, 2, p).has_value());
+  EXPECT_FALSE(bright.RatioOf(0, 2, p, 2.0).has_value());
 }
 
 TEST(SurfaceBrightness, NoObjectIsNoHarm) {
