@@ -12,9 +12,9 @@ namespace {
 // directions, and both known well. A plane says nothing about its own directions, so a single laser's shift
 // is no proof.
 double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis) {
-  constexpr double kMinSignificance = 8.0;
+  constexpr double kMinSignificance = 4.0;
   // Along z it takes more, since a wrong order is looked for; every surface tells heights well.
-  const double least = axis == 2 ? 1.0 : 0.3, most_sd = axis == 2 ? 0.4 : 0.08;
+  const double least = axis == 2 ? 1.0 : 0.3, most_sd = axis == 2 ? 0.4 : 0.15;
   double up = 0.0, down = 0.0;
   for (const LaserConsistency& one : lasers) {
     const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];

@@ -158,9 +158,27 @@ class Fuser {
     for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].z -= off[lasers_[i]];
   }
 
-  void CompareLasers(const Rim& rim, const PlateLattice& level) {
+  // The pooled heights, whose deviations tell a laser's shift from noise.
+  std::vector<PlateSample> PooledSamples() const {
+    std::vector<PlateSample> pooled = samples_;
+    for (std::size_t i = 0; i < pooled.size(); ++i) {
+      const SurfacePoint& p = points_[i];
+      if (pooled[i].weight <= 0.0F || p.row_sigma <= 0.0F) continue;
+      const float sigma = std::max(p.sigma, kLeastSigma);
+      pooled[i].z += static_cast<float>(p.position.z()) - p.row_z;
+      pooled[i].weight = 1.0F / (sigma * sigma);
+    }
+    return pooled;
+  }
+
+  // A moved laser must not bend the surface of the others to itself, so the plate is stiffer here, and alike
+  // in all directions.
+  void CompareLasers(const Rim& rim, PlateLattice level) {
+    level.stiffness = LocalStiffness(
+        level, level,
+        {.mm_per_px = mm_per_px_, .window_mm = 3.0, .correlation_area_mm2 = 1.0, .share_between = 1.0});
     const std::vector<PlateSample> weighed =
-        Reweigh(samples_, level, 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas);
+        Reweigh(PooledSamples(), level, 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas);
     out_.lasers = dorsum::CompareLasers(weighed, lasers_, level, plate_, rim, rays_,
                                         {.mm_per_px = mm_per_px_}, context_);
   }
