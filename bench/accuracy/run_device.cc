@@ -97,6 +97,15 @@ struct Way {
   bool budget;
 };
 
+// A sentence of the product without the folder in which this machine keeps the files.
+std::string WithoutFolder(std::string sentence, const fs::path& folder) {
+  const std::string prefix = folder.string() + "/";
+  for (std::size_t at = sentence.find(prefix); at != std::string::npos; at = sentence.find(prefix)) {
+    sentence.erase(at, prefix.size());
+  }
+  return sentence;
+}
+
 Result<CaptureResult> RunCapture(const DeviceData::Capture& capture, const Way& way,
                                  const CaptureTruth& truth, const DeviceGeometry& true_device,
                                  const Context& context) {
@@ -107,7 +116,7 @@ Result<CaptureResult> RunCapture(const DeviceData::Capture& capture, const Way& 
       {capture.capture_dir, way.calibrated->path, out, way.rung->options, {"ply"}, false, false}, context);
   if (!made.ok()) {
     if (!IsRefusal(made.error())) return made.error();
-    result.refused = made.error().message;
+    result.refused = WithoutFolder(made.error().message, capture.capture_dir);
     return result;
   }
   result.warnings = made->warnings;
