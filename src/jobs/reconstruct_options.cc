@@ -9,7 +9,7 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   t.Add("stripes", &o->stripes, {"auto", "ridge", "classic"}, "how stripes are located (§3.4)");
   t.Add("indexing", &o->indexing, {"auto", "joint", "classic"}, "how stripes get their orders (§3.5)");
   t.Add("shading", &o->shading, {"auto", "led", "none"},
-        "whether the surface's brightness is taken off the stripes' centres (robust mask, ridges)");
+        "whether the surface's brightness is taken off the stripes' centres (ridges)");
   t.Add("sheets", &o->sheets, {"auto", "cone", "plane"}, "model of a light sheet (§3.6)");
   t.Add("correction", &o->correction, {"auto", "polynomial", "none"},
         "surface error correction of plane sheets (3.9)");
