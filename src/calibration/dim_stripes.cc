@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "base/median.h"
+
 namespace dorsum {
 namespace {
 
@@ -17,12 +19,6 @@ struct Seen {
   double v = 0.0, peak = 0.0;
 };
 using Orders = std::map<int, std::vector<Seen>>;
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Brightness of a stripe near a row.
 std::optional<double> PeakAt(const std::vector<Seen>& stripe, double v, double reach) {

@@ -7,14 +7,10 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/median.h"
+
 namespace dorsum {
 namespace {
-
-double Median(std::vector<double> v) {
-  if (v.empty()) return 0.0;
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
 
 // Least squares of x = at + slope y.
 StripeLine FitLine(const std::vector<Eigen::Vector2d>& places) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/median.h"
 #include "captures/image_file.h"
 
 namespace dorsum {
@@ -33,13 +34,6 @@ void AppendLines(const LaserStripes& stripes, const std::string& lead, std::stri
     *csv += lead;
     *csv += line.data();
   }
-}
-
-double Median(std::vector<float> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
 }
 
 FoundStripes Summarise(const LaserStripes& stripes, std::string image) {

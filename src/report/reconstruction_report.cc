@@ -7,6 +7,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/median.h"
 #include "report/drawing.h"
 #include "report/height_picture.h"
 #include "report/html.h"
@@ -44,13 +45,6 @@ Pictures DrawAll(const ReconstructionReportData& data, const Context& context) {
   return pictures;
 }
 
-float Median(std::vector<float> values) {
-  if (values.empty()) return std::nanf("");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 HtmlTable LaserTable(const ReconstructionReportData& data) {
   HtmlTable table;
   table.header = {"Laser",
@@ -84,7 +78,7 @@ HtmlTable LaserTable(const ReconstructionReportData& data) {
         orders.empty() ? "-" : std::to_string(*orders.begin()) + " to " + std::to_string(*orders.rbegin());
     table.rows.push_back({std::to_string(stripes.laser), std::to_string(stripes.segments.size()),
                           std::to_string(without), corrections, range, std::to_string(points),
-                          FormatNumber(Median(sigmas), 3)});
+                          FormatNumber(sigmas.empty() ? std::nanf("") : Median(sigmas), 3)});
   }
   return table;
 }

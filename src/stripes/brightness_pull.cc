@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+
+#include "base/median.h"
 
 namespace dorsum {
 namespace {
@@ -12,9 +15,7 @@ double MedianWidth(const std::vector<StripePoint>& points) {
   std::vector<float> widths;
   widths.reserve(points.size());
   for (const StripePoint& p : points) widths.push_back(p.width);
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return static_cast<double>(*middle);
+  return static_cast<double>(Median(std::move(widths)));
 }
 
 }  // namespace

@@ -6,14 +6,10 @@
 #include <limits>
 #include <map>
 
+#include "base/median.h"
+
 namespace dorsum {
 namespace {
-
-double Median(std::vector<double>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
 
 struct Predecessor {
   std::int32_t segment = kNoPoint;
@@ -36,7 +32,7 @@ Predecessor StrongestParent(const LaserStripes& stripes, const std::vector<doubl
   for (auto& [parent, values] : distances) {
     if (values.size() <= most || std::find(parents.begin(), parents.end(), parent) == parents.end()) continue;
     most = values.size();
-    best = {parent, Median(&values)};
+    best = {parent, Median(values)};
   }
   return best;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "stripes/ray_orders.h"
 
@@ -32,12 +33,6 @@ std::vector<float> Heights(const LaserStripes& stripes, const DeviceGeometry& de
   return z;
 }
 
-float Median(std::vector<float>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
-
 // Standard deviation of the heights of segments that lie on the backplane, from the median deviation.
 double BackplaneDeviation(const IndexedStripes& stripes, const std::vector<std::vector<float>>& heights,
                           double least) {
@@ -52,7 +47,7 @@ double BackplaneDeviation(const IndexedStripes& stripes, const std::vector<std::
       });
     }
   }
-  return all.empty() ? 0.0 : 1.4826 * Median(&all);
+  return all.empty() ? 0.0 : 1.4826 * Median(all);
 }
 
 // The usual width of a laser's stripes on the backplane, px; 0 where too few were measured.
@@ -63,7 +58,7 @@ float UsualWidth(const LaserStripes& stripes, const std::vector<float>& z, doubl
       widths.push_back(stripes.points[i].width);
   }
   constexpr std::size_t kFew = 100;
-  return widths.size() < kFew ? 0.0F : Median(&widths);
+  return widths.size() < kFew ? 0.0F : Median(widths);
 }
 
 // Takes the height of points that are too wide away.
@@ -78,7 +73,7 @@ int DropWide(const LaserStripes& stripes, float widest, int rows, std::vector<fl
            j <= std::min(s.first + s.count - 1, i + rows / 2); ++j) {
         near.push_back(stripes.points[static_cast<std::size_t>(j)].width);
       }
-      if (Median(&near) <= widest) continue;
+      if (Median(near) <= widest) continue;
       (*z)[static_cast<std::size_t>(i)] = kNan;
       ++dropped;
     }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "base/median.h"
 #include "base/parallel.h"
 
 namespace dorsum {
@@ -72,12 +73,6 @@ RowFindings SurveyRow(const std::uint8_t* pixels, const std::vector<RidgeCandida
   return out;
 }
 
-float Median(std::vector<float>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
-
 }  // namespace
 
 ProfileStart StartBetween(const std::vector<RidgeCandidate>& row, std::size_t i, double width, int cols) {
@@ -123,7 +118,7 @@ RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double wid
       samples.insert(samples.end(), f.samples.begin(), f.samples.end());
     }
     if (widths.empty()) return survey;
-    if (width_px <= 0.0) survey.width_px = std::clamp(static_cast<double>(Median(&widths)), 0.7, 8.0);
+    if (width_px <= 0.0) survey.width_px = std::clamp(static_cast<double>(Median(widths)), 0.7, 8.0);
     survey.noise = FitNoiseModel(std::move(samples), survey.noise);
   }
   return survey;

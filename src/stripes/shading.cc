@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "stripes/append_segment.h"
 
@@ -28,9 +30,7 @@ double WidthAround(const LaserStripes& one, const StripeSegment& segment, std::i
        i < std::min(segment.first + segment.count, at + kRows + 1); ++i) {
     widths.push_back(one.points[static_cast<std::size_t>(i)].width);
   }
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return static_cast<double>(*middle);
+  return static_cast<double>(Median(std::move(widths)));
 }
 
 // The window of a fit: three widths, but not beyond half the way to the neighbours.
@@ -68,10 +68,7 @@ double MedianWidth(const LaserStripes& stripes) {
   std::vector<float> widths;
   widths.reserve(stripes.points.size());
   for (const StripePoint& p : stripes.points) widths.push_back(p.width);
-  if (widths.empty()) return 0.0;
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return static_cast<double>(*middle);
+  return static_cast<double>(Median(std::move(widths)));
 }
 
 // Whether both flanks are there: without one, the row cannot tell the profile's width.

@@ -14,6 +14,8 @@
 #include <Eigen/Cholesky>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
+
 namespace dorsum {
 namespace {
 
@@ -40,12 +42,6 @@ cv::Mat1f DistanceInside(const cv::Mat& mask) {
   cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::distanceTransform(framed, framed, cv::DIST_L2, cv::DIST_MASK_5);
   return framed(cv::Rect(1, 1, mask.cols, mask.rows));
-}
-
-float MedianOf(std::vector<float>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
 }
 
 }  // namespace
@@ -107,7 +103,7 @@ void SurfaceBrightness::Compare(const IndexedStripes& stripes) {
         if (s.whole) whole.push_back(s.ratio);
       }
       if (whole.size() < kLeastRows) continue;
-      const float strength = MedianOf(&whole);
+      const float strength = Median(whole);
       strength_[{one.laser, order}] = static_cast<double>(strength);
       for (const Sample& s : samples) {
         cell_ratio_(s.cell_y, s.cell_x) += s.ratio - strength;

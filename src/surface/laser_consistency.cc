@@ -11,6 +11,8 @@
 #include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
+
 namespace dorsum {
 namespace {
 
@@ -87,13 +89,6 @@ std::vector<Residual> Compare(const std::vector<PlateSample>& samples,
   return out;
 }
 
-double Median(std::vector<double>* values) {
-  if (values->empty()) return 0.0;
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
-
 // What interpolation alone does to a residual, by distance: the spread beyond the samples' own sigma, as the
 // median over the lasers has it.
 std::array<double, kBins> InterpolationSpread(const std::vector<std::vector<Residual>>& all) {
@@ -109,12 +104,12 @@ std::array<double, kBins> InterpolationSpread(const std::vector<std::vector<Resi
         s2.push_back(r.sigma * r.sigma);
       }
       if (e.size() < 30) continue;
-      const double middle = Median(&e);
+      const double middle = Median(e);
       for (double& x : e) x = std::abs(x - middle);
-      const double spread = kToSigma * Median(&e);
-      by_laser.push_back(std::sqrt(std::max(kLeast * kLeast, spread * spread - Median(&s2))));
+      const double spread = kToSigma * Median(e);
+      by_laser.push_back(std::sqrt(std::max(kLeast * kLeast, spread * spread - Median(s2))));
     }
-    out[static_cast<std::size_t>(bin)] = by_laser.empty() ? -1.0 : Median(&by_laser);
+    out[static_cast<std::size_t>(bin)] = by_laser.empty() ? -1.0 : Median(by_laser);
   }
   double last = 0.3;  // mm, where no laser says anything
   for (double& s : out) last = s = s < 0.0 ? last : s;
@@ -183,7 +178,7 @@ std::vector<LaserConsistency> CompareLasers(const std::vector<PlateSample>& samp
       ratios.push_back(std::abs(r.e) / spreads.back());
     }
     constexpr double kMedianOfNormal = 0.6745;
-    one.chi2 = std::pow(Median(&ratios) / kMedianOfNormal, 2);
+    one.chi2 = std::pow(Median(ratios) / kMedianOfNormal, 2);
     Eigen::Matrix<double, 1, 1> height, height_variance;
     FitShift<1>(
         residuals, spreads, [](const Residual& r) { return Eigen::Matrix<double, 1, 1>(r.normal.z()); },
