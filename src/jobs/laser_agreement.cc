@@ -14,11 +14,12 @@ namespace {
 double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis) {
   constexpr double kMinSignificance = 4.0;
   // Along z it takes more, since a wrong order is looked for; every surface tells heights well.
-  const double least = axis == 2 ? 1.0 : 0.3, most_sd = axis == 2 ? 0.4 : 0.15;
+  const double least = axis == 2 ? 1.0 : 0.3;
+  constexpr double kMostSd = 0.4;
   double up = 0.0, down = 0.0;
   for (const LaserConsistency& one : lasers) {
     const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];
-    if (one.samples == 0 || sd > most_sd || std::abs(shift) < std::max(least, kMinSignificance * sd))
+    if (one.samples == 0 || sd > kMostSd || std::abs(shift) < std::max(least, kMinSignificance * sd))
       continue;
     up = std::max(up, shift);
     down = std::min(down, shift);

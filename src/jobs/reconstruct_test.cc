@@ -243,6 +243,11 @@ std::string ErrorOf(const std::string& capture, const fs::path& out) {
   return summary.error().message;
 }
 
+TEST(ReconstructTest, AHandThatMovedBetweenTheLasersIsRefused) {
+  const TempFolder dir;
+  EXPECT_NE(ErrorOf(ScanFixture::kMoved, dir / "out").find("moved by about"), std::string::npos);
+}
+
 TEST(ReconstructTest, ADeviceThatWasKnockedIsRefused) {
   const TempFolder dir;
   EXPECT_NE(ErrorOf(ScanFixture::kKnocked, dir / "out").find("calibrate again"), std::string::npos);
