@@ -78,12 +78,35 @@ double RoughOrder(const DiffractedFan& fan, const Eigen::Vector3d& point) {
   return (x / r - IncomingAlpha(fan, dy / r)) / fan.step;
 }
 
+// Whether the surface jumps or bends sharply between two neighbouring pixels.
+bool IsEdge(const SurfaceSample& a, const SurfaceSample& b) {
+  constexpr double kJumpMm = 2.0;
+  constexpr float kLeastCosine = 0.8F;
+  return a.part != b.part || (a.position - b.position).squaredNorm() > kJumpMm * kJumpMm ||
+         a.face_normal.dot(b.face_normal) < kLeastCosine;
+}
+
 std::vector<TrueStripePoint> StripesOfRow(const VirtualDevice& device, const Stage& stage,
                                           const VirtualLaser& laser, int row) {
   constexpr double kSlack = 0.02;
+  constexpr int kPiecesAtEdge = 16;
   const RowOrder along(device, stage.tracer, laser, row);
   const double last_order = laser.Orders();
   std::vector<TrueStripePoint> points;
+  // Where the order is m between two columns.
+  const auto add = [&](double m, double u0, double f0, double u1, double f1) {
+    // A stripe exactly on a pixel's centre belongs to the pair on its left only.
+    if ((f0 < 0.0) == (f1 < 0.0)) return;
+    const auto solution = along.Solve(m, u0, f0, u1, f1);
+    if (!solution) return;
+    const auto& [column, point] = *solution;
+    const int order = static_cast<int>(m);
+    const double irradiance = PeakIrradiance(laser, order, point.at, point.hit.position, point.hit.normal);
+    if (irradiance < kDarkest || !IsLit(stage.tracer, point.at, point.hit.position, point.hit.face_normal))
+      return;
+    const Material material = stage.tracer.PaintAt(point.hit, 1e-3).material;
+    points.push_back({order, row, column, point.hit.position.z(), material, irradiance});
+  };
   double left_rough = 0.0;
   for (int u = 0; u < stage.view.width; ++u) {
     const SurfaceSample& sample = stage.view.At(u, row);
@@ -92,24 +115,19 @@ std::vector<TrueStripePoint> StripesOfRow(const VirtualDevice& device, const Sta
     if (u == 0 || std::isnan(left) || std::isnan(rough)) continue;
     const double low = std::min(left, rough) - kSlack, high = std::max(left, rough) + kSlack;
     const double first = std::max(-last_order, std::ceil(low)), last = std::min(last_order, std::floor(high));
-    if (first > last) continue;
-    const auto a = along.At(u - 1), b = along.At(u);
-    if (!a || !b) continue;
-    for (double m = first; m <= last; m += 1.0) {
-      const double fa = a->order - m, fb = b->order - m;
-      // A stripe exactly on a pixel's centre belongs to the pair on its left only.
-      if ((fa < 0.0) == (fb < 0.0)) continue;
-      const auto solution = along.Solve(m, u - 1, fa, u, fb);
-      if (!solution) continue;
-      const auto& [column, point] = *solution;
-      const int order = static_cast<int>(m);
-      const double irradiance = PeakIrradiance(laser, order, point.at, point.hit.position, point.hit.normal);
-      if (irradiance < kDarkest ||
-          !IsLit(stage.tracer, point.at, point.hit.position, point.hit.face_normal)) {
-        continue;
+    // An edge between the two has stripes end on either side of it, also such as neither centre tells of.
+    const bool at_edge = IsEdge(stage.view.At(u - 1, row), sample);
+    if (first > last && !at_edge) continue;
+    const int pieces = at_edge ? kPiecesAtEdge : 1;
+    auto a = along.At(u - 1);
+    for (int piece = 1; piece <= pieces; ++piece) {
+      const double u0 = u - 1 + (piece - 1.0) / pieces, u1 = u - 1 + static_cast<double>(piece) / pieces;
+      const auto before = std::exchange(a, along.At(u1));
+      if (!before || !a) continue;
+      const double to = at_edge ? last_order : last;
+      for (double m = at_edge ? -last_order : first; m <= to; m += 1.0) {
+        add(m, u0, before->order - m, u1, a->order - m);
       }
-      const Material material = stage.tracer.PaintAt(point.hit, 1e-3).material;
-      points.push_back({order, row, column, point.hit.position.z(), material, irradiance});
     }
   }
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.u < b.u; });

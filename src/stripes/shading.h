@@ -3,11 +3,9 @@
 
 #include <vector>
 
-#include <opencv2/core.hpp>
-
 #include "base/context.h"
-#include "stripes/noise_model.h"
 #include "stripes/profile_fit.h"
+#include "stripes/shaded_row.h"
 #include "stripes/stripes.h"
 #include "stripes/surface_brightness.h"
 
@@ -15,21 +13,12 @@ namespace dorsum {
 
 struct ShadingOptions {
   SurfaceBrightnessOptions brightness = {};
-  double dark_side = 0.4;  // a centre whose surface is darker than this share of what lies within 1.5 widths
-                           // is beyond an edge, 0 to 1
-  double max_move = 1.2;   // a centre that moves further than this many widths is left as it was, 0 to 3
-  double max_sd = 0.35;    // a centre that is known no better than this many widths is no measurement, 0 to 3
+  ShadedRowOptions row = {};
   // A row's brightness against what its stripe has on a surface as bright as there, natural logarithm: only a
   // flank is seen below `dark`; below `dim` with a centre that is known no better than `vague_sd` widths;
   // below `dusky` with a profile narrower than `narrow` of what is usual.
   double dark = -1.2, dim = -0.7, vague_sd = 0.15, dusky = -0.4, narrow = 0.72;
   double left_over = 0.5;  // share of the pull that this is taken to leave, 0 to 1
-};
-
-// A laser's picture, CV_8UC1, and its noise.
-struct LaserPicture {
-  cv::Mat green;
-  NoiseModel noise;
 };
 
 // Fits every row of the stripes that have an order once more, now that it is known how bright the surface is

@@ -19,9 +19,10 @@ namespace dorsum {
 // every 20 px.
 struct ShadedScene {
   cv::Mat led, mask, lines;
-  std::function<double(double)> brightness;  // of a column, 0 to 1
+  std::function<double(double, double)> brightness;  // of a column and row, 0 to 1
 
-  ShadedScene(const std::function<double(double)>& bright, const cv::Rect& object, std::uint64_t seed = 3)
+  ShadedScene(const std::function<double(double, double)>& bright, const cv::Rect& object,
+              std::uint64_t seed = 3)
       : brightness(bright) {
     Rng rng(seed);
     led = cv::Mat(160, 200, CV_8UC1, cv::Scalar(0));
@@ -32,7 +33,7 @@ struct ShadedScene {
     for (int v = 0; v < led.rows; ++v) {
       for (int u = 0; u < led.cols; ++u) {
         const bool on = object.contains({u, v});
-        const double reflected = on ? brightness(u) : 1.0;
+        const double reflected = on ? brightness(u, v) : 1.0;
         double light = 0.0;
         for (int k = 0; k < 10 && on; ++k) light += std::exp(-0.5 * std::pow((u - Centre(k)) / kWidth, 2.0));
         led_light(v, u) = static_cast<float>(160.0 * reflected);
@@ -64,7 +65,7 @@ struct ShadedScene {
         p.v = static_cast<float>(v);
         p.sd_px = 0.1F;
         p.width = static_cast<float>(kWidth);
-        p.peak = static_cast<float>(150.0 * brightness(Centre(k)));
+        p.peak = static_cast<float>(150.0 * brightness(Centre(k), v));
         points.push_back(p);
       }
       AppendSegment(points, k, out.lasers.data());

@@ -179,7 +179,7 @@ SurfaceBrightness::Slope SurfaceBrightness::FitRatio(double u, double v, double 
   return {solved[1] / kCellPx, std::max(-1.0, solved[3])};
 }
 
-void SurfaceBrightness::Along(double u, int v, int first, int last, float* gain) const {
+std::optional<double> SurfaceBrightness::Along(double u, int v, int first, int last, float* gain) const {
   const auto inside = [&](int x) { return IsInside(x, v); };
   // The column that the others are measured against: the nearest to u that is known.
   int middle = std::clamp(cvRound(u), first, last);
@@ -189,7 +189,7 @@ void SurfaceBrightness::Along(double u, int v, int first, int last, float* gain)
   }
   if (!inside(middle)) {
     std::fill(gain + first, gain + last + 1, 1.0F);
-    return;
+    return std::nullopt;
   }
   const auto level = static_cast<double>(level_(v - part_.y, middle - part_.x));
   const Slope slope = FitRatio(u, v, level);
@@ -200,6 +200,7 @@ void SurfaceBrightness::Along(double u, int v, int first, int last, float* gain)
                   : 0.0;
     gain[x] = inside(x) ? static_cast<float>(std::exp(std::clamp(change, -3.0, 3.0))) : 0.0F;
   }
+  return level;
 }
 
 }  // namespace dorsum

@@ -15,7 +15,7 @@ const cv::Rect kObject(5, 5, 190, 150);
 bool All(int) { return true; }
 
 TEST(SurfaceBrightness, FollowsThePicture) {
-  const ShadedScene scene([](double u) { return std::exp(-0.01 * u); }, kObject);
+  const ShadedScene scene([](double u, double) { return std::exp(-0.01 * u); }, kObject);
   const SurfaceBrightness bright(scene.led, scene.mask, scene.Stripes(All), {});
   std::vector<float> gain(200, -1.0F);
   bright.Along(90.0, 80, 80, 100, gain.data());
@@ -27,7 +27,7 @@ TEST(SurfaceBrightness, FollowsThePicture) {
 }
 
 TEST(SurfaceBrightness, IsNothingOffTheObjectAndInItsMargin) {
-  const ShadedScene scene([](double) { return 0.7; }, {60, 5, 100, 150});
+  const ShadedScene scene([](double, double) { return 0.7; }, {60, 5, 100, 150});
   const SurfaceBrightness bright(scene.led, scene.mask, scene.Stripes([](int k) { return k > 2 && k < 7; }),
                                  {});
   std::vector<float> gain(200, -1.0F);
@@ -40,7 +40,7 @@ TEST(SurfaceBrightness, IsNothingOffTheObjectAndInItsMargin) {
 
 // A lamp's shadow darkens the picture at its edge, and the stripes cross it without a change.
 TEST(SurfaceBrightness, AShadowThatTheStripesDoNotShowIsNone) {
-  ShadedScene scene([](double) { return 0.8; }, kObject);
+  ShadedScene scene([](double, double) { return 0.8; }, kObject);
   IndexedStripes stripes;
   stripes.lasers.resize(1);
   std::vector<StripePoint> points;
@@ -60,7 +60,7 @@ TEST(SurfaceBrightness, AShadowThatTheStripesDoNotShowIsNone) {
 }
 
 TEST(SurfaceBrightness, TellsHowDarkAPointIsForItsStripe) {
-  const ShadedScene scene([](double u) { return u < 100.0 ? 0.8 : 0.4; }, kObject);
+  const ShadedScene scene([](double u, double) { return u < 100.0 ? 0.8 : 0.4; }, kObject);
   const IndexedStripes stripes = scene.Stripes(All);
   const SurfaceBrightness bright(scene.led, scene.mask, stripes, {});
   StripePoint p = stripes.lasers[0].points[300];
