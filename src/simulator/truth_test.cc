@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "simulator/named_scene.h"
@@ -129,6 +130,47 @@ TEST(TrueStripes, HeightMapAndStripesProjectOntoTheirPixels) {
   }
   EXPECT_GT(materials[0], 500);
   EXPECT_GT(materials[3], 100);
+}
+
+// What the top of a box shows is what a plate of its height would, cut at the box's edges: also where a
+// stripe leaves the top between two pixel centres.
+TEST(TrueStripes, ReachToTheVeryEdge) {
+  const VirtualDevice device = BuildVirtualDevice(WithoutNoise(CroppedDevice(1600, 160)), 2);
+  BoxPlace box, plate;
+  box.centre_mm = {-70.0, 0.0};
+  box.size_mm = {60.0, 50.0};
+  box.yaw = 0.15;
+  box.height_mm = plate.height_mm = 25.5;
+  plate.size_mm = {400.0, 400.0};
+  Scene with_box, with_plate;
+  with_box.parts = {Backplane(), BrownBox(box)};
+  with_plate.parts = {Backplane(), BrownBox(plate)};
+  const Stage box_stage = StageOf(device, with_box), plate_stage = StageOf(device, with_plate);
+  int near_edge = 0;
+  for (int k = 0; k < 4; ++k) {
+    const auto on_box = TrueStripes(device, box_stage, k, Context{});
+    const auto on_plate = TrueStripes(device, plate_stage, k, Context{});
+    ASSERT_TRUE(on_box.ok() && on_plate.ok());
+    std::map<std::pair<int, int>, double> top;
+    for (const TrueStripePoint& p : *on_box) {
+      if (std::abs(p.z - box.height_mm) < 1e-6) top[{p.row, p.order}] = p.u;
+    }
+    for (const TrueStripePoint& p : *on_plate) {
+      const Eigen::Vector3d world = WorldPoint(device.camera, p);
+      const Eigen::Vector2d own =
+          Eigen::Rotation2Dd(-box.yaw) * (Eigen::Vector2d(world.x(), world.y()) - box.centre_mm);
+      const double inside = (0.5 * box.size_mm - own.cwiseAbs()).minCoeff();
+      const auto found = top.find({p.row, p.order});
+      if (inside > 0.03) {  // mm; a tenth of a pixel
+        ASSERT_NE(found, top.end()) << "row " << p.row << " order " << p.order;
+        EXPECT_NEAR(found->second, p.u, 1e-6);
+        near_edge += inside < 0.3 ? 1 : 0;
+      } else if (inside < 0.0) {
+        EXPECT_EQ(found, top.end()) << "row " << p.row << " order " << p.order;
+      }
+    }
+  }
+  EXPECT_GT(near_edge, 5);
 }
 
 TEST(TrueStripes, ABoxShadesTheStripeBehindIt) {
