@@ -16,20 +16,25 @@ double OrderFromPlanes(const std::vector<PlaneSheet>& planes, const Eigen::Vecto
   return planes[right - 1].order + to_left / (to_left - to_right);
 }
 
-// Newton's method on the order along the ray, from the point that the ray sees at the backplane.
-std::optional<Eigen::Vector3d> IntersectCone(const Ray& ray, const DiffractedFan& fan, int order) {
-  double t = ray.origin.z() / std::max(1e-9, -ray.direction.z());
+// Secants on the order along the ray, which is nearly linear, from a height of `start_mm`.
+std::optional<Eigen::Vector3d> IntersectCone(const Ray& ray, const DiffractedFan& fan, int order,
+                                             double start_mm) {
+  constexpr double kStep = 1e-2;  // mm
+  const double start = (ray.origin.z() - start_mm) / std::max(1e-9, -ray.direction.z());
+  const auto first = Locate(fan, ray.At(start - kStep));
+  if (!first) return std::nullopt;
+  double t = start, last_t = start - kStep, last_value = first->Order(fan) - order;
   for (int i = 0; i < 30; ++i) {
-    constexpr double kStep = 1e-3;  // mm
-    const auto here = Locate(fan, ray.At(t)), there = Locate(fan, ray.At(t + kStep));
-    if (!here || !there) return std::nullopt;
-    const double value = here->Order(fan) - order;
-    const double slope = (there->Order(fan) - order - value) / kStep;
-    if (std::abs(slope) < 1e-12) return std::nullopt;
+    const auto here = Locate(fan, ray.At(t));
+    if (!here) return std::nullopt;
+    const double value = here->Order(fan) - order, slope = (value - last_value) / (t - last_t);
+    if (!(std::abs(slope) > 1e-12)) return std::nullopt;
     const double change = value / slope;
+    last_t = t;
+    last_value = value;
     t -= change;
     if (t < 0.0) return std::nullopt;
-    if (std::abs(change) < 1e-9) return ray.At(t);
+    if (std::abs(change) < 1e-6) return ray.At(t);  // the next change would be below 1e-12
   }
   return std::nullopt;
 }
@@ -60,7 +65,11 @@ const LaserGeometry* DeviceGeometry::FindLaser(int laser) const {
 
 std::optional<double> OrderAtHeight(const Camera& camera, const LaserGeometry& laser, SheetModel model,
                                     const Eigen::Vector2d& pixel, double z_mm) {
-  const Ray ray = CastRay(camera, pixel);
+  return OrderAtHeight(CastRay(camera, pixel), laser, model, z_mm);
+}
+
+std::optional<double> OrderAtHeight(const Ray& ray, const LaserGeometry& laser, SheetModel model,
+                                    double z_mm) {
   const auto t = Intersect(ray, Plane{Eigen::Vector3d::UnitZ(), z_mm});
   if (!t) return std::nullopt;
   const Eigen::Vector3d p = ray.At(*t);
@@ -75,10 +84,10 @@ std::optional<double> OrderAtHeight(const Camera& camera, const LaserGeometry& l
 }
 
 std::optional<Eigen::Vector3d> IntersectSheet(const Ray& ray, const LaserGeometry& laser, SheetModel model,
-                                              int order) {
+                                              int order, double start_mm) {
   if (model == SheetModel::kCone) {
     if (!laser.fan) return std::nullopt;
-    return IntersectCone(ray, *laser.fan, order);
+    return IntersectCone(ray, *laser.fan, order, start_mm);
   }
   const PlaneSheet* sheet = laser.FindPlane(order);
   if (sheet == nullptr) return std::nullopt;

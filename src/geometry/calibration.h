@@ -74,9 +74,12 @@ struct DeviceGeometry {
 // surface of that height the value is m. Beyond the calibrated planes the spacing of the last two goes on.
 std::optional<double> OrderAtHeight(const Camera& camera, const LaserGeometry& laser, SheetModel model,
                                     const Eigen::Vector2d& pixel, double z_mm);
+std::optional<double> OrderAtHeight(const Ray& ray, const LaserGeometry& laser, SheetModel model,
+                                    double z_mm);
 
-// Where a ray meets the sheet of an order; none where it does not, or the order has no sheet.
+// Where a ray meets the sheet of an order; none where it does not, or the order has no sheet. Cones are met
+// by iteration from the height `start_mm`.
 std::optional<Eigen::Vector3d> IntersectSheet(const Ray& ray, const LaserGeometry& laser, SheetModel model,
-                                              int order);
+                                              int order, double start_mm = 0.0);
 
 }  // namespace dorsum

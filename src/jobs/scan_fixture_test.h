@@ -51,7 +51,7 @@ position_mm = [0.0, -520.0, 940.0]
   static constexpr const char* kSphere = "sphere40";
   static constexpr const char* kHand = "hand_woman_right_anna";
   static constexpr const char* kKnocked = "box25.5+knocked1";
-  static constexpr const char* kMoved = "hand_woman_right_anna+moved2";
+  static constexpr const char* kMoved = "hand_woman_right_anna+moved3";
 
   // Folder with device.toml, calibration/, captures/ and truth/. Not to be changed: copy what you change.
   static std::filesystem::path Scan() {
@@ -62,7 +62,7 @@ position_mm = [0.0, -520.0, 940.0]
           SimulateOptions options;
           options.device_path = dir / "device.toml";
           options.seed = kSeed;
-          options.scenes = {kBox, kSphere, kKnocked, "hand:woman:right:anna", "hand:woman:right:anna+moved2"};
+          options.scenes = {kBox, kSphere, kKnocked, "hand:woman:right:anna", "hand:woman:right:anna+moved3"};
           options.overwrite = true;
           const Result<SimulateReport> report = Simulate(options, dir, Context{});
           if (!report.ok()) throw std::runtime_error(report.error().message);

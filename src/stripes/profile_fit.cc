@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stripes/profile_fit.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +11,8 @@ namespace {
 
 using Vector4 = std::array<double, 4>;  // centre, width, amplitude, background
 using Matrix4 = std::array<Vector4, 4>;
+
+constexpr std::size_t kMostColumns = 256;  // of a window; what lies beyond is left out
 
 // Solves A x = b for a symmetric positive definite A of the first n rows; false if it is not.
 bool SolveCholesky(Matrix4 a, Vector4 b, std::size_t n, Vector4* x) {
@@ -44,15 +47,34 @@ struct Equations {
   double cost = 0.0;
 };
 
+// exp(-t^2 / 2) for the columns [first, last], each from its neighbour nearer to the centre: the quotient of
+// two neighbours changes by a constant factor from column to column.
+void FillShape(const ProfileFit& fit, double* shape) {
+  const double inverse = 1.0 / fit.width, bend = std::exp(-inverse * inverse);
+  const int middle = std::clamp(static_cast<int>(std::lround(fit.u)), fit.first, fit.last);
+  const double t = (middle - fit.u) * inverse;
+  const double peak = std::exp(-0.5 * t * t), root = std::sqrt(bend);
+  const double slope = std::exp(-t * inverse);
+  shape[middle - fit.first] = peak;
+  double value = peak, step = slope * root;
+  for (int x = middle + 1; x <= fit.last; ++x, step *= bend) shape[x - fit.first] = value *= step;
+  value = peak;
+  step = root / slope;
+  for (int x = middle - 1; x >= fit.first; --x, step *= bend) shape[x - fit.first] = value *= step;
+}
+
 Equations Linearise(const std::uint8_t* row, const ProfileStart& start, const ProfileFit& fit,
                     const NoiseModel& noise, int saturated) {
   Equations e;
+  std::array<double, kMostColumns> shapes;
+  FillShape(fit, shapes.data());
   const double inverse = 1.0 / fit.width;
+  double product = 1.0;  // of the weights since the last logarithm
   for (int x = fit.first; x <= fit.last; ++x) {
     const double gain = start.gain == nullptr ? 1.0 : static_cast<double>(start.gain[x]);
     if (gain <= 0.0) continue;
     const double t = (x - fit.u) * inverse;
-    const double shape = gain * std::exp(-0.5 * t * t);
+    const double shape = gain * shapes[static_cast<std::size_t>(x - fit.first)];
     const double signal = fit.amplitude * shape;
     const double model = gain * fit.background + signal;
     double residual = static_cast<double>(row[x]) - model;
@@ -69,8 +91,14 @@ Equations Linearise(const std::uint8_t* row, const ProfileStart& start, const Pr
       e.right[i] += wj * residual;
     }
     // The weights move with the model, so the cost holds their logarithm too: the likelihood.
-    e.cost += weight * residual * residual - std::log(weight);
+    e.cost += weight * residual * residual;
+    product *= weight;
+    if (!(product > 1e-200 && product < 1e200)) {
+      e.cost -= std::log(product);
+      product = 1.0;
+    }
   }
+  e.cost -= std::log(product);
   if (start.amplitude_sd > 0.0) {
     const double weight = 1.0 / (start.amplitude_sd * start.amplitude_sd);
     const double residual = start.amplitude - fit.amplitude;
@@ -93,7 +121,8 @@ void HoldWidth(Equations* e) {
 
 void SetWindow(const ProfileStart& start, const ProfileFitOptions& options, double u, double width,
                ProfileFit* fit) {
-  const double half = std::max(3.0, options.half_window_sd * width);
+  constexpr double kMostHalf = 0.5 * static_cast<double>(kMostColumns) - 1.0;
+  const double half = std::clamp(options.half_window_sd * width, 3.0, kMostHalf);
   fit->first = std::max(start.first, static_cast<int>(std::ceil(u - half)));
   fit->last = std::min(start.last, static_cast<int>(std::floor(u + half)));
 }

@@ -10,8 +10,9 @@ RayOrders::RayOrders(const Camera& camera, const LaserGeometry& laser, double u,
     : camera_height_(camera.Center().z()) {
   const SheetModel model = laser.fan ? SheetModel::kCone : SheetModel::kPlane;
   const std::array<double, 3> heights = {low_mm, 0.5 * (low_mm + high_mm), high_mm};
+  const Ray ray = CastRay(camera, {u, v});
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto order = OrderAtHeight(camera, laser, model, {u, v}, heights[i]);
+    const auto order = OrderAtHeight(ray, laser, model, heights[i]);
     if (!order) return;
     order_[i] = *order;
     w_[i] = 1.0 / (camera_height_ - heights[i]);

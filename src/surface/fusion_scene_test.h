@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/context.h"
 #include "geometry/plane_device_test.h"
 #include "surface/outline.h"
 #include "surface/plate.h"

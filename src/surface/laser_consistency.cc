@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -48,14 +50,14 @@ cv::Mat1f DistanceToOthers(const std::vector<PlateSample>& samples, const std::v
 std::vector<Residual> Compare(const std::vector<PlateSample>& samples,
                               const std::vector<std::uint8_t>& lasers, int laser, const PlateLattice& fused,
                               const PlateOptions& plate, const Rim& rim, const RayField& rays,
-                              const LaserConsistencyOptions& options, const Context& context) {
+                              const LaserConsistencyOptions& options) {
   PlateLattice others = fused;
   others.z = fused.z.clone();
   std::vector<PlateSample> kept = samples;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (lasers[i] == laser) kept[i].weight = 0.0F;
   }
-  SolvePlate(kept, plate, &others, context);
+  SolvePlate(kept, plate, &others);
   const cv::Mat1f apart = DistanceToOthers(samples, lasers, laser, fused);
   const double h = 0.5 * fused.step_px, step_mm = fused.step_px * options.mm_per_px;
   const auto surface = [&](double u, double v) {
@@ -161,11 +163,11 @@ std::vector<LaserConsistency> CompareLasers(const std::vector<PlateSample>& samp
   out.reserve(present.size());
   for (const auto& [laser, count] : present) out.push_back({.laser = laser});
   if (out.size() < 2) return out;
-  std::vector<std::vector<Residual>> all;
-  all.reserve(out.size());
-  for (const LaserConsistency& one : out) {
-    all.push_back(Compare(samples, lasers, one.laser, fused, plate, rim, rays, options, context));
-  }
+  std::vector<std::vector<Residual>> all(out.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(out.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    all[k] = Compare(samples, lasers, out[k].laser, fused, plate, rim, rays, options);
+  });
   const std::array<double, kBins> interpolation = InterpolationSpread(all);
   for (std::size_t k = 0; k < out.size(); ++k) {
     const std::vector<Residual>& residuals = all[k];

@@ -2,11 +2,14 @@
 #include "surface/laser_offsets.h"
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -33,15 +36,15 @@ std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& sa
   const auto n = static_cast<Eigen::Index>(out.size());
   if (n < 2) return out;
 
-  std::vector<PlateLattice> indicators;
-  for (const LaserOffset& one : out) {
-    PlateLattice x = solved;
+  std::vector<PlateLattice> indicators(out.size(), solved);
+  ParallelFor(context, 0, n, [&](std::int64_t k) {
+    PlateLattice& x = indicators[static_cast<std::size_t>(k)];
     x.z = cv::Mat1f(solved.z.size(), 1.0F / static_cast<float>(n));
     std::vector<PlateSample> marked = samples;
-    for (std::size_t i = 0; i < marked.size(); ++i) marked[i].z = lasers[i] == one.laser ? 1.0F : 0.0F;
-    SolvePlate(marked, plate, &x, context);
-    indicators.push_back(std::move(x));
-  }
+    const int laser = out[static_cast<std::size_t>(k)].laser;
+    for (std::size_t i = 0; i < marked.size(); ++i) marked[i].z = lasers[i] == laser ? 1.0F : 0.0F;
+    SolvePlate(marked, plate, &x);
+  });
 
   const Eigen::MatrixXd known = Eigen::MatrixXd::Identity(n, n) / (options.prior_mm * options.prior_mm);
   Eigen::MatrixXd normal = known, scatter = known;

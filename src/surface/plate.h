@@ -5,8 +5,6 @@
 
 #include <opencv2/core.hpp>
 
-#include "base/context.h"
-
 namespace dorsum {
 
 // Heights over a square lattice of the image: node (column c, row r) lies at pixel (u0 + step c, v0 + step
@@ -32,7 +30,7 @@ struct PlateSample {
 struct PlateOptions {
   double mm_per_px = 0.2;    // of the object, above 0
   double tension = 1e-4;     // weight of the squared slope, keeps what no sample holds from swinging, >= 0
-  int max_iterations = 200;  // of conjugate gradients, 1 to 100000
+  int max_iterations = 100;  // of conjugate gradients, 1 to 100000
   double tolerance = 1e-4;   // of the residual against its start, 0 to 1
 };
 
@@ -40,8 +38,7 @@ struct PlateOptions {
 //   sum w_i (z(u_i, v_i) - z_i)^2 + integral (s_xx z_xx^2 + 2 s_xy z_xy^2 + s_yy z_yy^2) dx dy
 // over the active nodes, bilinear between nodes, free at its borders (Wahba 1990, Terzopoulos 1986). It
 // starts from lattice->z. Samples without four active corners are left out. Returns the iterations made.
-int SolvePlate(const std::vector<PlateSample>& samples, const PlateOptions& options, PlateLattice* lattice,
-               const Context& context = {});
+int SolvePlate(const std::vector<PlateSample>& samples, const PlateOptions& options, PlateLattice* lattice);
 
 // The lattice with every second node; active where an active node needs it for interpolation.
 PlateLattice Coarsen(const PlateLattice& fine);

@@ -115,8 +115,7 @@ class Fuser {
 
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
     for (const double scale : scales_mm) {
-      SolvePlate(Reweigh(samples_, levels_[level], scale, options_.robust_sigmas), plate_, &levels_[level],
-                 context_);
+      SolvePlate(Reweigh(samples_, levels_[level], scale, options_.robust_sigmas), plate_, &levels_[level]);
     }
   }
 
@@ -146,8 +145,10 @@ class Fuser {
     exact.tolerance = 1e-5;
     level->stiffness = LocalStiffness(*level, *level, {.mm_per_px = mm_per_px_});
     const std::vector<PlateSample> weighed = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas);
-    SolvePlate(weighed, exact, level, context_);
-    out_.offsets = EstimateLaserOffsets(weighed, lasers_, *level, exact, {.mm_per_px = mm_per_px_}, context_);
+    SolvePlate(weighed, exact, level);
+    PlateOptions rough = plate_;  // shares of the lasers need no more
+    rough.tolerance = 1e-2;
+    out_.offsets = EstimateLaserOffsets(weighed, lasers_, *level, rough, {.mm_per_px = mm_per_px_}, context_);
     std::array<float, 256> off{};
     for (const LaserOffset& one : out_.offsets) {
       if (std::abs(one.mean_mm) > options_.max_offset_mm) return;

@@ -15,9 +15,11 @@ std::optional<SurfacePoint> TriangulateOne(const StripePoint& p, int order, cons
                                            const LaserGeometry& laser, const TriangulationOptions& options) {
   const Ray ray = CastRay(device.camera, {p.u, p.v});
   const auto position = IntersectSheet(ray, laser, options.sheets, order);
+  if (!position || !position->allFinite()) return std::nullopt;
   // Half a pixel to the side, for the derivative of z by u.
-  const auto beside = IntersectSheet(CastRay(device.camera, {p.u + 0.5, p.v}), laser, options.sheets, order);
-  if (!position || !beside || !position->allFinite()) return std::nullopt;
+  const auto beside =
+      IntersectSheet(CastRay(device.camera, {p.u + 0.5, p.v}), laser, options.sheets, order, position->z());
+  if (!beside) return std::nullopt;
   SurfacePoint out;
   out.position = *position;
   if (options.correction && options.sheets == SheetModel::kPlane) {
