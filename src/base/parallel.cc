@@ -61,11 +61,15 @@ void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
 
 }  // namespace
 
+// More threads than processors only wait for each other, and TBB warns about them.
+int ThreadsOf(const Context& context) {
+  const int available = Processors();
+  return context.threads > 0 ? std::min(context.threads, available) : available;
+}
+
 void ParallelFor(const Context& context, std::int64_t begin, std::int64_t end,
                  const std::function<void(std::int64_t)>& body) {
-  const int available = Processors();
-  // More threads than processors only wait for each other, and TBB warns about them.
-  const int threads = context.threads > 0 ? std::min(context.threads, available) : available;
+  const int threads = ThreadsOf(context);
   if (threads == 1 || end - begin <= 1) {
     for (std::int64_t i = begin; i < end; ++i) body(i);
     return;

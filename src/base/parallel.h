@@ -8,6 +8,9 @@
 
 namespace dorsum {
 
+// Threads that a context means: at least one, at most one per processor that this process may use.
+int ThreadsOf(const Context& context);
+
 // Calls body(i) for every i in [begin, end), on context.threads threads (0: one per processor), and
 // returns when all are done. Calls may come in any order and at the same time, so a body writes only to
 // its own i: then the result is the same at any number of threads. Runs in the calling thread when

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/reconstruct.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/commands.h"
+#include "jobs/reconstruct_batch.h"
 #include "surface/mesh_export.h"
 
 namespace dorsum {
@@ -13,8 +15,69 @@ struct Arguments {
   ReconstructRequest request;
   OptionTable table = DescribeReconstructOptions(&request.options);
   std::string capture, calibration, out, settings;
-  bool no_report = false;
+  bool no_report = false, batch = false;
 };
+
+void RunOne(const ReconstructRequest& request, Session* session) {
+  const Result<ReconstructSummary> summary = ReconstructFolder(request, session->MakeContext());
+  if (!summary.ok()) return session->Fail(summary.error());
+  session->Warn(summary->warnings);
+  std::string text =
+      std::to_string(summary->points) + " points, " + std::to_string(summary->faces) + " triangles\n";
+  for (const std::string& file : summary->files) text += (request.out_dir / file).string() + "\n";
+  session->Print(text, {{"points", summary->points},
+                        {"triangles", summary->faces},
+                        {"points_by_laser", summary->points_by_laser},
+                        {"files", summary->files},
+                        {"warnings", summary->warnings}});
+}
+
+// One line for each capture, one for all.
+std::string BatchText(const BatchSummary& summary, const std::string& table) {
+  std::size_t wide = 7;
+  for (const BatchCapture& c : summary.captures) wide = std::max(wide, c.name.size());
+  const auto line = [&](const std::string& name, const std::string& points, const std::string& faces,
+                        const std::string& result) {
+    const auto right = [](const std::string& t, std::size_t w) {
+      return std::string(w - std::min(w, t.size()), ' ') + t;
+    };
+    return name + std::string(wide - name.size(), ' ') + right(points, 9) + right(faces, 11) + "  " + result +
+           "\n";
+  };
+  std::string text = line("capture", "points", "triangles", "result");
+  for (const BatchCapture& c : summary.captures) {
+    const bool failed = c.outcome == BatchOutcome::kFailed;
+    text += line(c.name, failed ? "-" : std::to_string(c.points), failed ? "-" : std::to_string(c.faces),
+                 OutcomeText(c.outcome) + (failed ? ": " + c.error : ""));
+  }
+  return text + std::to_string(summary.captures.size()) +
+         " captures: " + std::to_string(summary.Count(BatchOutcome::kDone)) + " done, " +
+         std::to_string(summary.Count(BatchOutcome::kKept)) + " kept from before, " +
+         std::to_string(summary.Count(BatchOutcome::kFailed)) + " failed\n" + table + "\n";
+}
+
+void RunBatch(const ReconstructRequest& request, Session* session) {
+  const Result<BatchSummary> summary = ReconstructBatch(request, session->MakeContext());
+  if (!summary.ok()) return session->Fail(summary.error());
+  Json captures = Json::array();
+  for (const BatchCapture& c : summary->captures) {
+    std::vector<std::string> warnings;
+    for (const std::string& w : c.warnings) warnings.push_back(c.name + ": " + w);
+    session->Warn(warnings);
+    captures.push_back({{"capture", c.name},
+                        {"result", OutcomeText(c.outcome)},
+                        {"points", c.points},
+                        {"triangles", c.faces},
+                        {"error", c.error},
+                        {"warnings", c.warnings}});
+  }
+  const std::string table = (request.out_dir / kBatchTable).string();
+  session->Print(BatchText(*summary, table), {{"captures", captures},
+                                              {"done", summary->Count(BatchOutcome::kDone)},
+                                              {"kept", summary->Count(BatchOutcome::kKept)},
+                                              {"failed", summary->Count(BatchOutcome::kFailed)},
+                                              {"table", table}});
+}
 
 void Run(Arguments* arguments, CLI::App* command, Session* session) {
   if (const Status s = ReadSettings(arguments->settings, "reconstruct", command, &arguments->table);
@@ -26,17 +89,7 @@ void Run(Arguments* arguments, CLI::App* command, Session* session) {
   request.calibration_path = arguments->calibration;
   request.out_dir = arguments->out;
   request.report = !arguments->no_report;
-  const Result<ReconstructSummary> summary = ReconstructFolder(request, session->MakeContext());
-  if (!summary.ok()) return session->Fail(summary.error());
-  session->Warn(summary->warnings);
-  std::string text =
-      std::to_string(summary->points) + " points, " + std::to_string(summary->faces) + " triangles\n";
-  for (const std::string& file : summary->files) text += arguments->out + "/" + file + "\n";
-  session->Print(text, {{"points", summary->points},
-                        {"triangles", summary->faces},
-                        {"points_by_laser", summary->points_by_laser},
-                        {"files", summary->files},
-                        {"warnings", summary->warnings}});
+  arguments->batch ? RunBatch(request, session) : RunOne(request, session);
 }
 
 }  // namespace
@@ -44,7 +97,9 @@ void Run(Arguments* arguments, CLI::App* command, Session* session) {
 void AddReconstruct(CLI::App* app, Session* session) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* c = app->add_subcommand("reconstruct", "Turn a capture into a measured surface");
-  c->add_option("capture_dir", arguments->capture, "folder with bgHand and stripesHand0, stripesHand1, …")
+  c->add_option(
+       "capture_dir", arguments->capture,
+       "folder with bgHand and stripesHand0, stripesHand1, …; with --batch, a folder of such folders")
       ->required();
   c->add_option("-c,--calibration", arguments->calibration, "calibration.json of the device")->required();
   c->add_option("-o,--out", arguments->out, "folder to write")->required();
@@ -62,11 +117,17 @@ void AddReconstruct(CLI::App* app, Session* session) {
   c->add_flag("--no-report", arguments->no_report, "write no report.html and overview.png");
   c->add_flag("--stages", arguments->request.stages,
               "also write every stage's intermediate image to OUT/stages");
+  c->add_flag(
+      "--batch", arguments->batch,
+      "reconstruct every capture of a folder, each to a folder of its name in OUT; those that an earlier "
+      "run did in the same way are kept");
   c->add_option("--settings", arguments->settings,
                 "TOML file whose [reconstruct] table sets the options below");
   AddTable(c, &arguments->table);
   AddCommonOptions(c, session);
-  c->footer("Example: dorsum reconstruct scan/captures/box25.5 -c calibration.json -o box25.5");
+  c->footer(
+      "Examples: dorsum reconstruct scan/captures/box25.5 -c calibration.json -o box25.5\n"
+      "          dorsum reconstruct scan/captures -c calibration.json -o surfaces --batch --no-report");
   c->callback([arguments, c, session] { Run(arguments.get(), c, session); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/session.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -54,8 +55,11 @@ Context Session::MakeContext() {
   context.cancel = &interrupted;
   if (!quiet && !json && isatty(STDERR_FILENO) != 0) {
     context.progress = [this](std::string_view stage, double fraction) {
-      std::fprintf(stderr, "\r\033[K%.*s %3.0f %%", static_cast<int>(stage.size()), stage.data(),
-                   100.0 * fraction);
+      constexpr std::size_t kBar = 24;
+      const auto full = static_cast<std::size_t>(kBar * std::clamp(fraction, 0.0, 1.0));
+      const std::string bar = std::string(full, '#') + std::string(kBar - full, '-');
+      std::fprintf(stderr, "\r\033[K[%s] %3.0f %%  %.*s", bar.c_str(), 100.0 * fraction,
+                   static_cast<int>(stage.size()), stage.data());
       std::fflush(stderr);
       progress_shown_ = true;
     };

@@ -6,20 +6,13 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/csv.h"
 #include "base/files.h"
 #include "base/median.h"
 #include "captures/image_file.h"
 
 namespace dorsum {
 namespace {
-
-// A name as one field of a CSV line (RFC 4180).
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 void AppendLines(const LaserStripes& stripes, const std::string& lead, std::string* csv) {
   std::array<char, 160> line{};

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jobs/reconstruct_batch.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/csv.h"
+#include "base/files.h"
+#include "captures/image_file.h"
+#include "captures/names.h"
+#include "jobs/read_ahead.h"
+#include "jobs/reconstruct_folder.h"
+
+namespace dorsum {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::string>> FindCaptureFolders(const fs::path& dir) {
+  std::error_code ec, ignored;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(dir, ec)) {
+    if (entry.is_directory(ignored) && FindImage(entry.path(), kBgHandName)) {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  if (ec) return BadInput("cannot read the folder " + dir.string() + ": " + ec.message());
+  if (names.empty()) return BadInput("no folder in " + dir.string() + " holds an image bgHand");
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// When the newest file of a folder was written.
+std::optional<fs::file_time_type> NewestFile(const fs::path& dir) {
+  std::optional<fs::file_time_type> newest;
+  std::error_code ec;
+  for (const auto& entry : fs::directory_iterator(dir, ec)) {
+    const auto written = entry.last_write_time(ec);
+    if (!ec && (!newest || written > *newest)) newest = written;
+  }
+  return newest;
+}
+
+// What an earlier run made of this capture in the same way, if all of it is there.
+std::optional<BatchCapture> KeptResult(const ReconstructRequest& request, const Json& recipe) {
+  const fs::path report = request.out_dir / kReportJson;
+  std::error_code ec;
+  const auto made = fs::last_write_time(report, ec);
+  const auto captured = NewestFile(request.capture_dir);
+  if (ec || !captured || *captured > made) return std::nullopt;
+  std::vector<std::string> wanted = {"points.ply", "mask.png"};
+  for (const std::string& format : request.mesh_formats) wanted.push_back("surface." + format);
+  if (request.report) wanted.emplace_back("report.html");
+  if (request.stages && !fs::is_directory(request.out_dir / kStageFolder, ec)) return std::nullopt;
+  for (const std::string& name : wanted) {
+    if (!fs::is_regular_file(request.out_dir / name, ec)) return std::nullopt;
+  }
+  const auto json = ReadJson(report);
+  if (!json.ok() || !json->is_object()) return std::nullopt;
+  for (const auto& [key, value] : recipe.items()) {
+    if (!json->contains(key) || (*json)[key] != value) return std::nullopt;
+  }
+  BatchCapture kept;
+  kept.outcome = BatchOutcome::kKept;
+  const auto count = [&](const char* key) {
+    return json->contains(key) && (*json)[key].is_number_unsigned() ? (*json)[key].get<std::size_t>() : 0;
+  };
+  kept.points = count("points");
+  kept.faces = count("triangles");
+  return kept;
+}
+
+Status WriteTable(const fs::path& path, const BatchSummary& summary) {
+  std::string csv = "capture,result,points,triangles,error,warnings\n";
+  for (const BatchCapture& c : summary.captures) {
+    std::string warnings;
+    for (const std::string& w : c.warnings) warnings += (warnings.empty() ? "" : "; ") + w;
+    const bool failed = c.outcome == BatchOutcome::kFailed;
+    csv += CsvField(c.name) + "," + OutcomeText(c.outcome) + "," + (failed ? "" : std::to_string(c.points)) +
+           "," + (failed ? "" : std::to_string(c.faces)) + "," + CsvField(c.error) + "," +
+           CsvField(warnings) + "\n";
+  }
+  return WriteFile(path, csv);
+}
+
+BatchCapture Work(const Result<CaptureImages>& images, const ReconstructRequest& request,
+                  const LoadedCalibration& calibration, const Context& context) {
+  BatchCapture out;
+  const auto fail = [&](const Error& error) {
+    out.outcome = BatchOutcome::kFailed;
+    out.error = error.message;
+    return out;
+  };
+  if (!images.ok()) return fail(images.error());
+  const auto summary = ReconstructLoaded(*images, request, calibration, context);
+  if (!summary.ok()) return fail(summary.error());
+  out.points = summary->points;
+  out.faces = summary->faces;
+  out.warnings = summary->warnings;
+  return out;
+}
+
+}  // namespace
+
+const char* OutcomeText(BatchOutcome outcome) {
+  switch (outcome) {
+    case BatchOutcome::kDone:
+      return "done";
+    case BatchOutcome::kKept:
+      return "kept";
+    case BatchOutcome::kFailed:
+      return "failed";
+  }
+  return "";
+}
+
+int BatchSummary::Count(BatchOutcome outcome) const {
+  return static_cast<int>(std::count_if(captures.begin(), captures.end(),
+                                        [&](const BatchCapture& c) { return c.outcome == outcome; }));
+}
+
+Result<BatchSummary> ReconstructBatch(const ReconstructRequest& request, const Context& context) {
+  DORSUM_ASSIGN_OR_RETURN(const LoadedCalibration calibration, LoadCalibration(request.calibration_path));
+  DORSUM_ASSIGN_OR_RETURN(const std::vector<std::string> names, FindCaptureFolders(request.capture_dir));
+  std::error_code ec;
+  if (fs::equivalent(request.capture_dir, request.out_dir, ec)) {
+    return BadInput("the surfaces of " + request.out_dir.string() +
+                    " would lie among its captures; name another folder to write to");
+  }
+  fs::create_directories(request.out_dir, ec);
+  if (ec) return BadInput("cannot make the folder " + request.out_dir.string() + ": " + ec.message());
+  const fs::path table = request.out_dir / kBatchTable;
+  DORSUM_RETURN_IF_ERROR(WriteTable(table, {}));  // rather now than after hours
+
+  std::vector<std::optional<BatchCapture>> captures(names.size());
+  std::vector<ReconstructRequest> todo;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ReconstructRequest one = request;
+    one.capture_dir = request.capture_dir / names[i];
+    one.out_dir = request.out_dir / names[i];
+    captures[i] = KeptResult(one, RecipeOf(one, calibration));
+    if (captures[i]) continue;
+    todo.push_back(std::move(one));
+    places.push_back(i);
+  }
+  Context alone = context;  // within one capture
+  alone.threads = 1;
+  alone.progress = nullptr;
+  const Status finished = ReadAhead<Result<CaptureImages>>(
+      todo.size(), context,
+      [&](std::size_t i) { return LoadCapture(todo[i].capture_dir, {}, calibration.lasers); },
+      [&](std::size_t i, const Result<CaptureImages>& images) {
+        BatchCapture done = Work(images, todo[i], calibration, alone);
+        if (!context.IsCancelled() || done.outcome == BatchOutcome::kDone)
+          captures[places[i]] = std::move(done);
+      });
+  BatchSummary summary;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!captures[i]) continue;
+    captures[i]->name = names[i];
+    summary.captures.push_back(std::move(*captures[i]));
+  }
+  DORSUM_RETURN_IF_ERROR(WriteTable(table, summary));
+  if (finished.ok()) return summary;
+  return Error{finished.error().code,
+               finished.error().message + " after " + std::to_string(summary.captures.size()) + " of " +
+                   std::to_string(names.size()) + " captures; the same command goes on from there"};
+}
+
+}  // namespace dorsum
