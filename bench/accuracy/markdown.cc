@@ -14,7 +14,7 @@ std::string Fixed(double value, int decimals) {
   return text;
 }
 
-MarkdownTable::MarkdownTable(std::vector<std::string> head) : columns_(head.size()) {
+MarkdownTable::MarkdownTable(const std::vector<std::string>& head) : columns_(head.size()) {
   Row(head);
   Row(std::vector<std::string>(columns_, "---"));
 }

@@ -12,7 +12,7 @@ std::string Fixed(double value, int decimals = 4);
 // A table in Markdown: its head, then its rows.
 class MarkdownTable {
  public:
-  explicit MarkdownTable(std::vector<std::string> head);
+  explicit MarkdownTable(const std::vector<std::string>& head);
   void Row(const std::vector<std::string>& cells);
   const std::string& text() const { return text_; }
 

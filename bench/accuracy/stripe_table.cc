@@ -47,7 +47,7 @@ Result<std::vector<TrueStripe>> ReadStripeTable(const std::filesystem::path& pat
   if (header.ends_with('\r')) header.remove_suffix(1);
   std::size_t width = 0;
   for (; !header.empty(); ++width) {
-    const auto known = std::find(kColumns.begin(), kColumns.end(), TakeUntil(&header, ','));
+    const auto* const known = std::find(kColumns.begin(), kColumns.end(), TakeUntil(&header, ','));
     if (known != kColumns.end()) column[static_cast<std::size_t>(known - kColumns.begin())] = width;
   }
   if (std::find(column.begin(), column.end(), std::string::npos) != column.end()) {

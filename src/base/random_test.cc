@@ -44,7 +44,7 @@ TEST(Random, UniformCoversItsRangeEvenly) {
     ASSERT_LT(x, 3.0);
     ++bins[static_cast<std::size_t>((x + 2.0) * 2.0)];
   }
-  for (const int n : bins) EXPECT_NEAR(n, kDraws / 10, 5.0 * std::sqrt(kDraws / 10.0));
+  for (const int n : bins) EXPECT_NEAR(n, kDraws / 10.0, 5.0 * std::sqrt(kDraws / 10.0));
 }
 
 TEST(Random, NormalHasMeanZeroAndDeviationOne) {

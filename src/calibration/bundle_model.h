@@ -46,6 +46,6 @@ FanParameters FanFromGeometry(const DiffractedFan& fan);  // always of the gener
 Camera CameraFromParameters(const LensParameters& lens, const PoseParameters& camera_from_world, int width,
                             int height);
 Rigid3 RigidFromPose(const PoseParameters& pose);
-DiffractedFan GeometryFromFan(const FanParameters& fan);
+DiffractedFan GeometryFromFan(const FanParameters& p);
 
 }  // namespace dorsum

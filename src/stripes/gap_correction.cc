@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <ranges>
 
 #include "base/median.h"
 
@@ -82,8 +83,8 @@ std::vector<Group> GroupByRoot(const LaserStripes& stripes, const std::vector<Pr
       line.push_back(i);
       i = parents[static_cast<std::size_t>(i)].segment;
     }
-    for (auto k = line.rbegin(); k != line.rend(); ++k) {
-      const auto index = static_cast<std::size_t>(*k);
+    for (const std::int32_t k : line | std::views::reverse) {
+      const auto index = static_cast<std::size_t>(k);
       const Predecessor& p = parents[index];
       const bool rooted = p.segment != kNoPoint && group_of[static_cast<std::size_t>(p.segment)] != kNoPoint;
       if (!rooted) {
@@ -96,7 +97,7 @@ std::vector<Group> GroupByRoot(const LaserStripes& stripes, const std::vector<Pr
         (*levels)[index] = (*levels)[static_cast<std::size_t>(p.segment)] + steps;
       }
       Group& group = groups[static_cast<std::size_t>(group_of[index])];
-      group.members.push_back(*k);
+      group.members.push_back(k);
       group.points += stripes.segments[index].count;
     }
   }
