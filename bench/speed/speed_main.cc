@@ -1,115 +1,137 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <cstdio>
 #include <exception>
-#include <map>
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
-#include <opencv2/core/utility.hpp>
 
-#include "captures/image_file.h"
-#include "speed/floor.h"
-#include "speed/scene.h"
-#include "speed/steger.h"
+#include "accuracy/document.h"
+#include "base/files.h"
+#include "cli/session.h"
+#include "speed/benches.h"
 
 namespace dorsum::speed {
 namespace {
 
-void BenchFloor(benchmark::State& state, const SpeedScene& scene) {
-  for (auto _ : state) benchmark::DoNotOptimize(SumBytes(scene.images));
-}
+namespace fs = std::filesystem;
 
-void BenchSteger(benchmark::State& state, const SpeedScene& scene, int threads) {
-  cv::setNumThreads(threads);
-  std::vector<cv::Mat> green;
-  for (const auto& image : scene.capture.stripes) green.push_back(GreenChannel(*image));
-  for (auto _ : state) {
-    for (const cv::Mat& g : green) benchmark::DoNotOptimize(DetectSteger(g, 2.4, 1.0).size());
-  }
-}
+const fs::path kBench = fs::path(DORSUM_SOURCE_DIR) / "bench/speed";
+constexpr const char* kRecord = "speed.json";
 
-void BenchRidges(benchmark::State& state, const SpeedScene& scene, int threads) {
-  Context context;
-  context.threads = threads;
-  cv::setNumThreads(threads);
-  std::vector<cv::Mat> green;
-  for (const auto& image : scene.capture.stripes) green.push_back(GreenChannel(*image));
-  for (auto _ : state) {
-    for (const cv::Mat& g : green) benchmark::DoNotOptimize(FindRidges(g, {}, 0, {}, context).points.size());
-  }
-}
+struct Arguments {
+  std::string cache, results, write, check;
+  int batch = 200;
+  bool brief = false;
+};
 
-void BenchWhole(benchmark::State& state, const SpeedScene& scene, const std::string& method, int threads) {
-  cv::setNumThreads(threads);
-  Context context;
-  context.threads = threads;
-  using Clock = std::chrono::steady_clock;
-  std::map<std::string, double> spent;
-  std::string stage;
-  Clock::time_point since;
-  const auto turn = [&](const std::string& next) {
-    const auto now = Clock::now();
-    if (!stage.empty()) spent[stage] += std::chrono::duration<double, std::milli>(now - since).count();
-    stage = next;
-    since = now;
+Result<Measured> Measure(const Arguments& arguments, const Context& context) {
+  const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
+  DORSUM_ASSIGN_OR_RETURN(const SpeedScene scene, MakeSpeedScene({}, arguments.cache, context));
+  std::map<std::string, SpeedScene> others;
+  const auto add = [&](const std::string& name, const SpeedDevice& device) -> Status {
+    if (arguments.brief) return {};
+    std::fprintf(stderr, "%s\n", name.c_str());
+    DORSUM_ASSIGN_OR_RETURN(others[name], MakeSpeedScene(device, arguments.cache, context));
+    return {};
   };
-  context.progress = [&](std::string_view name, double) { turn(std::string(name)); };
-  ReconstructOptions options;
-  options.method = method;
-  const ReadyCalibration& ready = method == "classic" ? scene.classic : scene.bundle;
-  for (auto _ : state) {
-    const auto result = Reconstruct(scene.capture, ready, options, context);
-    turn("");
-    if (!result.ok()) state.SkipWithError(result.error().message.c_str());
+  char name[64];
+  for (const double megapixels : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+    std::snprintf(name, sizeof name, "size/megapixels:%.1f", megapixels);
+    DORSUM_RETURN_IF_ERROR(add(name, {.megapixels = megapixels}));
   }
-  for (const auto& [name, ms] : spent) {
-    state.counters[name + "_ms"] = ms / static_cast<double>(state.iterations());
+  for (const int lasers : {1, 2, 8}) {
+    std::snprintf(name, sizeof name, "size/lasers:%d", lasers);
+    DORSUM_RETURN_IF_ERROR(add(name, {.lasers = lasers}));
   }
+  std::map<std::string, const SpeedScene*> sizes;
+  for (const auto& [size, other] : others) sizes[size] = &other;
+  Measured all = RunBenches(scene, sizes);
+  all.merge(CountAllocations(scene));
+  if (arguments.brief) return all;
+  DORSUM_ASSIGN_OR_RETURN(Measured calibration, TimeCalibration(scene));
+  all.merge(calibration);
+  DORSUM_ASSIGN_OR_RETURN(Measured processes,
+                          TimeProcesses(scene, bin / "dorsum", bin / "speed_imread", arguments.batch,
+                                        fs::path(arguments.cache) / "batch"));
+  all.merge(processes);
+  return all;
 }
 
-int Main(int argc, char** argv) {
-  std::string cache = "speed-cache";
-  CLI::App app("How fast the product is, as ratios of times in one run");
-  app.add_option("--cache", cache, "folder for rendered devices");
+Result<std::string> MakeDocument(const Measured& measured) {
+  DORSUM_ASSIGN_OR_RETURN(const std::string text, ReadFile(kBench / "performance.md.in"));
+  return accuracy::FillTemplate(
+      text,
+      {{"figures", FigureTable(measured)}, {"stages", StageTable(measured)}, {"sizes", SizeTable(measured)}});
+}
+
+Status RunAll(const Arguments& arguments, const Context& context) {
+  if (!arguments.check.empty()) {
+    const fs::path record = kBench / "results" / kRecord;
+    DORSUM_ASSIGN_OR_RETURN(const Json json, ReadJson(record));
+    DORSUM_ASSIGN_OR_RETURN(const Measured recorded, MeasuredFromJson(json, record.string()));
+    DORSUM_ASSIGN_OR_RETURN(const std::string text, MakeDocument(recorded));
+    DORSUM_ASSIGN_OR_RETURN(const std::string there, ReadFile(arguments.check));
+    if (there == text) return {};
+    return Error{ErrorCode::kAnswerIsNo,
+                 arguments.check + " is not what its template and results give; write it anew"};
+  }
+  DORSUM_ASSIGN_OR_RETURN(const Measured measured, Measure(arguments, context));
+  std::printf("\n%s\n%s\n%s", FigureTable(measured).c_str(), StageTable(measured).c_str(),
+              SizeTable(measured).c_str());
+  if (!arguments.results.empty()) {
+    fs::create_directories(arguments.results);
+    DORSUM_RETURN_IF_ERROR(WriteJson(fs::path(arguments.results) / kRecord, MeasuredToJson(measured)));
+  }
+  if (arguments.write.empty()) return {};
+  DORSUM_ASSIGN_OR_RETURN(const std::string text, MakeDocument(measured));
+  return WriteFile(arguments.write, text);
+}
+
+int Run(int argc, char** argv) {
+  Session session;
+  Arguments arguments;
+  arguments.cache = (fs::temp_directory_path() / "dorsum-speed").string();
+  CLI::App app("How fast the product is: ratios of times in one run, on two processors.");
+  app.add_option("--cache", arguments.cache, "folder that keeps rendered devices")->capture_default_str();
+  app.add_option("--results", arguments.results, "folder to record the times in (bench/speed/results)");
+  app.add_option("--write", arguments.write, "write the document (docs/performance.md)");
+  app.add_option("--check", arguments.check, "fail unless this document is what the recorded times give");
+  app.add_option("--batch", arguments.batch, "captures of the batch")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  app.add_flag("--short", arguments.brief, "one device, and nothing that runs for minutes");
   app.allow_extras();
-  CLI11_PARSE(app, argc, argv);
-  const auto made = MakeSpeedScene({}, cache, Context{});
-  if (!made.ok()) {
-    std::fprintf(stderr, "speed: error: %s\n", made.error().message.c_str());
-    return 1;
-  }
-  const SpeedScene& scene = *made;
-  const auto add = [](const std::string& name, auto body) {
-    benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond)->UseRealTime();
-  };
-  add("floor", [&](benchmark::State& s) { BenchFloor(s, scene); });
-  for (const int threads : {1, 2}) {
-    const std::string tail = "/threads:" + std::to_string(threads);
-    add("steger" + tail, [&, threads](benchmark::State& s) { BenchSteger(s, scene, threads); });
-    add("ridges" + tail, [&, threads](benchmark::State& s) { BenchRidges(s, scene, threads); });
-    for (const char* method : {"classic", "default"}) {
-      add(method + tail,
-          [&, threads, method](benchmark::State& s) { BenchWhole(s, scene, method, threads); });
-    }
+  app.footer(
+      "Other arguments go to Google Benchmark, such as --benchmark_filter=floor.\n"
+      "Example: speed --results bench/speed/results --write docs/performance.md");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : ExitCode(ErrorCode::kUsage);
   }
   std::vector<std::string> rest = app.remaining();
-  std::vector<char*> args = {argv[0]};
-  for (std::string& r : rest) args.push_back(r.data());
-  int count = static_cast<int>(args.size());
-  benchmark::Initialize(&count, args.data());
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  rest.insert(rest.begin(), argv[0]);
+  rest.emplace_back("--benchmark_enable_random_interleaving=true");
+  std::vector<char*> others;
+  for (std::string& r : rest) others.push_back(r.data());
+  int count = static_cast<int>(others.size());
+  benchmark::Initialize(&count, others.data());
+  if (benchmark::ReportUnrecognizedArguments(count, others.data())) return ExitCode(ErrorCode::kUsage);
+  Context context = session.MakeContext();
+  context.progress = nullptr;
+  if (const Status done = RunAll(arguments, context); !done.ok()) session.Fail(done.error());
+  return session.Finish();
 }
 
 }  // namespace
 }  // namespace dorsum::speed
 
 int main(int argc, char** argv) {
+  dorsum::CatchInterrupts();
   try {
-    return dorsum::speed::Main(argc, argv);
+    return dorsum::speed::Run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "speed: internal error: %s\n", error.what());
-    return 3;
+    return 5;
   }
 }
