@@ -42,17 +42,22 @@ std::map<int, double> AssignFirstEstimates(const std::vector<double>& lines,
                                            const std::map<int, double>& brightest) {
   std::map<int, double> assigned;
   if (lines.size() != brightest.size()) return assigned;
-  double forward = 0.0, backward = 0.0;
-  std::size_t i = 0;
+  struct Pair {
+    double apart = 0.0;
+    int laser = 0;
+    std::size_t line = 0;
+  };
+  std::vector<Pair> pairs;
   for (const auto& [laser, x] : brightest) {
-    forward += std::abs(lines[i] - x);
-    backward += std::abs(lines[lines.size() - 1 - i] - x);
-    ++i;
+    for (std::size_t i = 0; i < lines.size(); ++i) pairs.push_back({std::abs(lines[i] - x), laser, i});
   }
-  i = 0;
-  for (const auto& [laser, x] : brightest) {
-    assigned[laser] = forward <= backward ? lines[i] : lines[lines.size() - 1 - i];
-    ++i;
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.apart < b.apart; });
+  std::vector<char> taken(lines.size(), 0);
+  for (const Pair& p : pairs) {
+    if (taken[p.line] != 0 || assigned.contains(p.laser)) continue;
+    taken[p.line] = 1;
+    assigned[p.laser] = lines[p.line];
   }
   return assigned;
 }

@@ -25,9 +25,9 @@ struct FirstEstimatesOptions {
 Result<std::vector<double>> FindFirstEstimates(const CalibrationSeries& series, const Camera& camera,
                                                const FirstEstimatesOptions& options, const Context& context);
 
-// Gives each laser its line: both lists run across the device in one direction or the other, and the
-// brightest stripe of each laser tells which. `brightest` maps laser to world x, mm. Empty when the counts
-// differ.
+// Gives each laser its line: the one at its brightest stripe, the closest pairs first, so that a laser whose
+// brightest stripe is not its central one gets the line that is left. Lasers that lean may cross. `brightest`
+// maps laser to world x, mm. Empty when the counts differ.
 std::map<int, double> AssignFirstEstimates(const std::vector<double>& lines,
                                            const std::map<int, double>& brightest);
 

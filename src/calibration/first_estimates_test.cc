@@ -33,6 +33,13 @@ TEST(AssignFirstEstimates, OneWrongBrightestStripeDoesNotTurnThemAround) {
   EXPECT_EQ(assigned.at(5), 90.0);
 }
 
+// Mounted 2 degrees askew, a laser's central stripe lies 14 mm further on, beyond its neighbour's.
+TEST(AssignFirstEstimates, LasersMayCross) {
+  const std::map<int, double> brightest = {{0, 9.9}, {1, 0.1}, {2, 20.3}, {3, 29.8}};
+  EXPECT_EQ(AssignFirstEstimates({0.0, 10.0, 20.0, 30.0}, brightest),
+            (std::map<int, double>{{0, 10.0}, {1, 0.0}, {2, 20.0}, {3, 30.0}}));
+}
+
 TEST(AssignFirstEstimates, OtherCountsGiveNothing) {
   EXPECT_TRUE(AssignFirstEstimates({1.0, 2.0}, {{0, 1.0}}).empty());
   EXPECT_TRUE(AssignFirstEstimates({}, {{0, 1.0}}).empty());

@@ -12,15 +12,15 @@ namespace {
 // directions, and both known well. A plane says nothing about its own directions, so a single laser's shift
 // is no proof.
 double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis) {
-  constexpr double kMinSignificance = 4.0;
-  // Along z it takes more, since a wrong order is looked for; every surface tells heights well.
+  // Along z it takes more, since a wrong order is looked for; every surface tells heights well. A shift that
+  // is known badly must stand out all the more.
   const double least = axis == 2 ? 1.0 : 0.3;
-  constexpr double kMostSd = 0.4;
+  constexpr double kGoodSd = 0.4;
   double up = 0.0, down = 0.0;
   for (const LaserConsistency& one : lasers) {
     const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];
-    if (one.samples == 0 || sd > kMostSd || std::abs(shift) < std::max(least, kMinSignificance * sd))
-      continue;
+    const double significance = sd > kGoodSd ? 6.0 : 4.0;
+    if (one.samples == 0 || std::abs(shift) < std::max(least, significance * sd)) continue;
     up = std::max(up, shift);
     down = std::min(down, shift);
   }
@@ -42,11 +42,22 @@ Status CheckAgreement(const std::vector<LaserConsistency>& lasers, const DeviceG
     return BadInput(text);
   }
   if (beside == 0.0 && above == 0.0) return {};
+  const double moved = std::max(beside, above);
+  constexpr double kFar = 4.0;  // mm in the second of a capture; wrong orders put lasers apart by more
+  if (moved > kFar) {
+    std::snprintf(
+        text, sizeof text,
+        "the lasers see the object at places that differ by %.1f mm: it moved while it was captured, or "
+        "reaches out of the working volume of %.0f to %.0f mm; place it lower, keep still and capture "
+        "again",
+        moved, device.min_height_mm, device.max_height_mm);
+    return BadInput(text);
+  }
   std::snprintf(
       text, sizeof text,
       "the object moved by about %.1f mm while it was captured, since the lasers see it at different "
       "places; keep still and capture again",
-      std::max(beside, above));
+      moved);
   return BadInput(text);
 }
 

@@ -41,6 +41,15 @@ TEST(LaserAgreementTest, ABoxIsNotTakenForMoved) {
             "");
 }
 
+// Measured on a hand 60 mm too high, whose orders were all one too low.
+TEST(LaserAgreementTest, FarShiftsAreRefusedThoughTheyAreKnownBadly) {
+  const std::string text = Complaint({Laser(0, {-4.0, 0.1, 0.15}, {0.47, 0.34, 0.32}),
+                                      Laser(1, {0.0, 0.0, -0.3}, {0.1, 0.16, 0.13}),
+                                      Laser(3, {2.6, -0.2, -0.3}, {0.23, 0.19, 0.23})});
+  EXPECT_NE(text.find("differ by 6.6 mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("working volume of 0 to 80 mm"), std::string::npos) << text;
+}
+
 TEST(LaserAgreementTest, HeightsOutOfTheVolumeAreRefused) {
   const std::string text = Complaint(
       {Laser(0, {1.7, 0.6, -3.2}, {0.14, 0.24, 0.19}), Laser(1, {-1.7, -0.6, 2.9}, {0.19, 0.22, 0.16})});
