@@ -48,7 +48,7 @@ bool IsOnDarkSide(const ProfileFit& fit, const ProfileStart& start, const Shaded
 }  // namespace
 
 std::optional<WholeRows> WholeRowsAround(const std::vector<ShadedRow>& rows, std::size_t at) {
-  constexpr std::size_t kReach = 60, kWanted = 24, kLeast = 8;
+  constexpr std::size_t kReach = 160, kWanted = 24, kLeast = 8;
   std::vector<double> strengths, widths;
   for (std::size_t away = 1; away <= kReach && strengths.size() < kWanted; ++away) {
     for (const std::size_t i : {at - away, at + away}) {  // below 0 is far beyond the end
