@@ -43,7 +43,7 @@ Status CheckAgreement(const std::vector<LaserConsistency>& lasers, const DeviceG
   }
   if (beside == 0.0 && above == 0.0) return {};
   const double moved = std::max(beside, above);
-  constexpr double kFar = 4.0;  // mm in the second of a capture; wrong orders put lasers apart by more
+  constexpr double kFar = 5.0;  // mm in the second of a capture; wrong orders put lasers apart by more
   if (moved > kFar) {
     std::snprintf(
         text, sizeof text,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/reconstruct.h"
 
+#include <cstdio>
+
 #include "captures/image_file.h"
 #include "jobs/find_object.h"
 #include "jobs/laser_agreement.h"
+#include "stripes/order_shift.h"
 #include "surface/height_mesh.h"
 #include "surface/triangulation.h"
 
@@ -37,6 +40,19 @@ Status CheckSheets(const ReconstructOptions& options, const DeviceGeometry& devi
                     (cone ? "plane" : "cone"));
   }
   return {};
+}
+
+// The stripes' brightness must be that of their orders.
+Status CheckOrders(const IndexedStripes& stripes, const cv::Mat& hand, const DeviceGeometry& device) {
+  const OrderShift found = FindOrderShift(stripes, GreenChannel(hand), device, {});
+  if (found.shift == 0) return {};
+  char text[192];
+  std::snprintf(
+      text, sizeof text,
+      "the stripes shine as those of other orders do, so the object reaches out of the working volume of "
+      "%.0f to %.0f mm; place it lower and capture again",
+      device.min_height_mm, device.max_height_mm);
+  return BadInput(text);
 }
 
 // Points that the surface of all lasers contradicts are no measurement of it.
@@ -73,6 +89,7 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   DORSUM_ASSIGN_OR_RETURN(FoundObject found, FindObject(capture, ready.background, device, options, context));
   out.mask = std::move(found.mask);
   out.stripes = std::move(found.stripes);
+  if (options.indexing == "joint") DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, capture.hand, device));
   out.warnings.insert(out.warnings.end(), found.warnings.begin(), found.warnings.end());
   for (const LaserStripes& one : out.stripes.lasers) {
     if (one.points.empty()) {

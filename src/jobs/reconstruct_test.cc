@@ -248,6 +248,12 @@ TEST(ReconstructTest, AHandThatMovedBetweenTheLasersIsRefused) {
   EXPECT_NE(ErrorOf(ScanFixture::kMoved, dir / "out").find("moved by about"), std::string::npos);
 }
 
+TEST(ReconstructTest, AHandAboveTheWorkingVolumeIsRefused) {
+  const TempFolder dir;
+  EXPECT_NE(ErrorOf(ScanFixture::kHigh, dir / "out").find("reaches out of the working volume"),
+            std::string::npos);
+}
+
 TEST(ReconstructTest, ADeviceThatWasKnockedIsRefused) {
   const TempFolder dir;
   EXPECT_NE(ErrorOf(ScanFixture::kKnocked, dir / "out").find("calibrate again"), std::string::npos);

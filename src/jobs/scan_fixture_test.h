@@ -52,21 +52,26 @@ position_mm = [0.0, -520.0, 940.0]
   static constexpr const char* kHand = "hand_woman_right_anna";
   static constexpr const char* kKnocked = "box25.5+knocked1";
   static constexpr const char* kMoved = "hand_woman_right_anna+moved3";
+  static constexpr const char* kHigh = "hand_woman_right_anna+high";
 
   // Folder with device.toml, calibration/, captures/ and truth/. Not to be changed: copy what you change.
   static std::filesystem::path Scan() {
-    return Cached(
-        "scan", std::string(kDevice) + kSeed + kKnocked + kMoved + LibraryStamps(),
-        [](const std::filesystem::path& dir) {
-          Require(WriteFile(dir / "device.toml", kDevice));
-          SimulateOptions options;
-          options.device_path = dir / "device.toml";
-          options.seed = kSeed;
-          options.scenes = {kBox, kSphere, kKnocked, "hand:woman:right:anna", "hand:woman:right:anna+moved3"};
-          options.overwrite = true;
-          const Result<SimulateReport> report = Simulate(options, dir, Context{});
-          if (!report.ok()) throw std::runtime_error(report.error().message);
-        });
+    return Cached("scan", std::string(kDevice) + kSeed + kKnocked + kMoved + kHigh + LibraryStamps(),
+                  [](const std::filesystem::path& dir) {
+                    Require(WriteFile(dir / "device.toml", kDevice));
+                    SimulateOptions options;
+                    options.device_path = dir / "device.toml";
+                    options.seed = kSeed;
+                    options.scenes = {kBox,
+                                      kSphere,
+                                      kKnocked,
+                                      "hand:woman:right:anna",
+                                      "hand:woman:right:anna+moved3",
+                                      "hand:woman:right:anna+high"};
+                    options.overwrite = true;
+                    const Result<SimulateReport> report = Simulate(options, dir, Context{});
+                    if (!report.ok()) throw std::runtime_error(report.error().message);
+                  });
   }
   static std::filesystem::path CalibrationDir() { return Scan() / "calibration"; }
   static std::filesystem::path CaptureDir(const std::string& name) { return Scan() / "captures" / name; }
