@@ -14,27 +14,27 @@ using Matrix4 = std::array<Vector4, 4>;
 
 constexpr std::size_t kMostColumns = 256;  // of a window; what lies beyond is left out
 
-// Solves A x = b for a symmetric positive definite A of the first n rows; false if it is not.
-bool SolveCholesky(Matrix4 a, Vector4 b, std::size_t n, Vector4* x) {
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
+// Solves A x = b for a symmetric positive definite A, of which the lower half is given; false if it is not.
+bool SolveCholesky(Matrix4 a, Vector4 b, Vector4* x) {
+  Vector4 inverse{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
       double sum = a[i][j];
       for (std::size_t k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
-      if (i == j) {
-        if (!(sum > 1e-12 * a[i][i]) || !(sum > 0.0)) return false;
-        a[i][i] = std::sqrt(sum);
-      } else {
-        a[i][j] = sum / a[j][j];
-      }
+      a[i][j] = sum * inverse[j];
     }
+    double sum = a[i][i];
+    for (std::size_t k = 0; k < i; ++k) sum -= a[i][k] * a[i][k];
+    if (!(sum > 1e-12 * a[i][i]) || !(sum > 0.0)) return false;
+    inverse[i] = 1.0 / std::sqrt(sum);
   }
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-    b[i] /= a[i][i];
+    b[i] *= inverse[i];
   }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[k][i] * b[k];
-    b[i] /= a[i][i];
+  for (std::size_t i = 4; i-- > 0;) {
+    for (std::size_t k = i + 1; k < 4; ++k) b[i] -= a[k][i] * b[k];
+    b[i] *= inverse[i];
   }
   *x = b;
   return true;
@@ -165,7 +165,7 @@ bool Iterate(const std::uint8_t* row, const ProfileStart& start, const NoiseMode
     if (fit->width_held) HoldWidth(&damped);
     for (std::size_t k = 0; k < 4; ++k) damped.matrix[k][k] *= 1.0 + damping;
     Vector4 step{};
-    if (!SolveCholesky(damped.matrix, damped.right, 4, &step)) return false;
+    if (!SolveCholesky(damped.matrix, damped.right, &step)) return false;
     ProfileFit next = *fit;
     const double reach = 0.7 * fit->width;
     next.u += std::clamp(step[0], -reach, reach);
@@ -196,7 +196,7 @@ bool Iterate(const std::uint8_t* row, const ProfileStart& start, const NoiseMode
 bool FormalSd(Equations at, bool width_held, ProfileFit* fit) {
   if (width_held) HoldWidth(&at);
   Vector4 column{};
-  if (!SolveCholesky(at.matrix, {1.0, 0.0, 0.0, 0.0}, 4, &column)) return false;
+  if (!SolveCholesky(at.matrix, {1.0, 0.0, 0.0, 0.0}, &column)) return false;
   fit->sd_u = std::sqrt(column[0]);
   return std::isfinite(fit->sd_u);
 }
