@@ -93,7 +93,7 @@ void PartNeighbours(const std::vector<float>& response, double width, std::vecto
 std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, const cv::Mat& region,
                                                       const NoiseModel& noise,
                                                       const RidgeDetectionOptions& options,
-                                                      const Context& context) {
+                                                      const Context& context, const RowComb& comb) {
   const std::vector<float> kernel = MatchedKernel(options.width_px);
   auto gain = static_cast<double>(kernel[0] * kernel[0]);
   for (std::size_t k = 1; k < kernel.size(); ++k) gain += 2.0 * static_cast<double>(kernel[k] * kernel[k]);
@@ -104,7 +104,9 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
   const int reach = static_cast<int>(std::ceil(std::max(4.0 * options.width_px, 8.0)));
 
   std::vector<std::vector<RidgeCandidate>> rows(static_cast<std::size_t>(green.rows));
-  ParallelFor(context, 0, green.rows, [&](std::int64_t row) {
+  const int count = std::max(0, (green.rows - comb.first + comb.step - 1) / comb.step);
+  ParallelFor(context, 0, count, [&](std::int64_t i) {
+    const std::int64_t row = comb.first + i * comb.step;
     thread_local Lines lines;
     SmoothRows(green, static_cast<int>(row), pad, &lines.padded);
     Filter(kernel, pad, &lines);

@@ -25,13 +25,19 @@ struct RidgeDetectionOptions {
   double min_share = 0.05;
 };
 
+// The rows first, first + step, …
+struct RowComb {
+  int first = 0, step = 1;
+};
+
 // Candidates of every row, by growing u. The image is smoothed over five rows, so that a dim stripe gathers
 // evidence, and filtered along the row with the least-squares estimate of the amplitude of a Gaussian on
 // an even background; its local maxima above the noise are the candidates. Where two stand closer than two
 // widths without a dip between them, the stronger stays. `green` is CV_8UC1; `region` CV_8UC1 or empty.
+// Looks at `rows` only; the others have no candidates.
 std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, const cv::Mat& region,
                                                       const NoiseModel& noise,
                                                       const RidgeDetectionOptions& options,
-                                                      const Context& context);
+                                                      const Context& context, const RowComb& rows = {});
 
 }  // namespace dorsum

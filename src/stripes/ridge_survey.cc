@@ -39,16 +39,6 @@ double DarkVariance(const cv::Mat& green) {
   return kept > 0 ? sum / static_cast<double>(count) / 0.438 / 6.0 : 0.0;
 }
 
-// Every eighth row of five-row bands, so that detection keeps its evidence from neighbouring rows.
-cv::Mat SampledRows(const cv::Mat& image, int* rows) {
-  *rows = (image.rows - 5) / kRowStep + 1;
-  cv::Mat bands(*rows * 5, image.cols, image.type());
-  for (int i = 0; i < *rows; ++i) {
-    image.rowRange(i * kRowStep, i * kRowStep + 5).copyTo(bands.rowRange(5 * i, 5 * i + 5));
-  }
-  return bands;
-}
-
 struct RowFindings {
   std::vector<float> widths;
   std::vector<NoiseSample> samples;
@@ -96,19 +86,19 @@ RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double wid
   survey.noise = {dark, 0.1, 0.0};
   survey.width_px = width_px;
   if (green.rows < 5) return survey;
-  int count = 0;
-  const cv::Mat bands = SampledRows(green, &count);
-  const cv::Mat band_region = region.empty() ? cv::Mat() : SampledRows(region, &count);
+  constexpr RowComb kComb{.first = 2,
+                          .step = kRowStep};  // detection gathers evidence from two rows on each side
+  const int count = (green.rows - 5) / kRowStep + 1;
   for (int pass = 0; pass < 2; ++pass) {
     RidgeDetectionOptions look = detection;
     look.width_px = survey.width_px > 0.0 ? survey.width_px : 2.0;
     look.min_contrast = 8.0;
-    const auto rows = DetectRidges(bands, band_region, survey.noise, look, context);
+    const auto rows = DetectRidges(green, region, survey.noise, look, context, kComb);
     std::vector<RowFindings> findings(static_cast<std::size_t>(count));
     ParallelFor(context, 0, count, [&](std::int64_t i) {
-      const auto middle = static_cast<std::size_t>(5 * i + 2);
+      const auto row = static_cast<int>(kComb.first + i * kComb.step);
       findings[static_cast<std::size_t>(i)] =
-          SurveyRow(bands.ptr<std::uint8_t>(static_cast<int>(middle)), rows[middle], look.width_px,
+          SurveyRow(green.ptr<std::uint8_t>(row), rows[static_cast<std::size_t>(row)], look.width_px,
                     green.cols, survey.noise, fit);
     });
     std::vector<float> widths;
