@@ -15,29 +15,41 @@ struct Level {
 
 // Mean of the squares without the largest twentieth, put right for a normal distribution: what is cut off
 // holds 23.6 % of its variance.
-double TrimmedVariance(const NoiseSample* first, std::size_t count) {
+double TrimmedVariance(NoiseSample* first, std::size_t count) {
   const std::size_t kept = std::max<std::size_t>(1, count - count / 20);
+  std::nth_element(first, first + (kept - 1), first + count, [](const NoiseSample& p, const NoiseSample& q) {
+    return p.squared_residual < q.squared_residual;
+  });
   double sum = 0.0;
   for (std::size_t i = 0; i < kept; ++i) sum += static_cast<double>(first[i].squared_residual);
   const double share = kept < count ? 0.764 : 1.0;
   return sum / static_cast<double>(count) / share;
 }
 
+// Orders samples by their grey values so far that the classes [first, last) between `bounds` are right.
+void SortIntoClasses(NoiseSample* samples, const std::vector<std::size_t>& bounds, std::size_t first,
+                     std::size_t last) {
+  if (last - first < 2) return;
+  const std::size_t middle = (first + last) / 2;
+  std::nth_element(samples + bounds[first], samples + bounds[middle], samples + bounds[last],
+                   [](const NoiseSample& p, const NoiseSample& q) { return p.grey < q.grey; });
+  SortIntoClasses(samples, bounds, first, middle);
+  SortIntoClasses(samples, bounds, middle, last);
+}
+
 std::vector<Level> Levels(std::vector<NoiseSample>* samples) {
-  std::sort(samples->begin(), samples->end(),
-            [](const NoiseSample& p, const NoiseSample& q) { return p.grey < q.grey; });
   const std::size_t classes = std::clamp<std::size_t>(samples->size() / 50, 4, 24);
+  std::vector<std::size_t> bounds;
+  for (std::size_t k = 0; k <= classes; ++k) bounds.push_back(k * samples->size() / classes);
+  SortIntoClasses(samples->data(), bounds, 0, classes);
   std::vector<Level> levels;
   for (std::size_t k = 0; k < classes; ++k) {
-    const std::size_t from = k * samples->size() / classes, to = (k + 1) * samples->size() / classes;
+    const std::size_t from = bounds[k], to = bounds[k + 1];
     const auto first = samples->begin() + static_cast<std::ptrdiff_t>(from);
     const auto last = samples->begin() + static_cast<std::ptrdiff_t>(to);
     Level level;
     for (auto s = first; s != last; ++s) level.grey += static_cast<double>(s->grey);
     level.grey = std::max(0.0, level.grey / static_cast<double>(to - from));
-    std::sort(first, last, [](const NoiseSample& p, const NoiseSample& q) {
-      return p.squared_residual < q.squared_residual;
-    });
     level.variance = std::max(kLeastVariance, TrimmedVariance(&*first, to - from));
     level.weight = static_cast<double>(to - from);
     levels.push_back(level);
