@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+
+#include "base/median.h"
 
 namespace dorsum {
 namespace {
@@ -16,6 +19,13 @@ double ShiftBetweenLasers(const std::vector<LaserConsistency>& lasers, int axis)
   // is known badly must stand out all the more.
   const double least = axis == 2 ? 1.0 : 0.3;
   constexpr double kGoodSd = 0.4;
+  // A flat object tells heights alone: what its edges say of the rest is worth less than it looks.
+  constexpr double kTelling = 0.3;
+  std::vector<double> sds;
+  for (const LaserConsistency& one : lasers) {
+    if (one.samples > 0) sds.push_back(one.shift_sd_mm[axis]);
+  }
+  if (Median(std::move(sds)) > kTelling) return 0.0;
   double up = 0.0, down = 0.0;
   for (const LaserConsistency& one : lasers) {
     const double shift = one.shift_mm[axis], sd = one.shift_sd_mm[axis];

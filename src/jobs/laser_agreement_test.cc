@@ -41,6 +41,15 @@ TEST(LaserAgreementTest, ABoxIsNotTakenForMoved) {
             "");
 }
 
+// Measured on a box at rest: where most lasers know little, one that seems to know much is wrong.
+TEST(LaserAgreementTest, AFlatBoxIsNotTakenForMovedByOneSureLaser) {
+  EXPECT_EQ(
+      Complaint({Laser(0, {-0.3, -0.1, 0.0}, {1.1, 0.9, 0.01}), Laser(1, {0.8, 0.4, 0.0}, {0.11, 0.3, 0.003}),
+                 Laser(2, {-0.5, 0.5, 0.0}, {0.1, 0.4, 0.003}),
+                 Laser(3, {4.1, -0.1, 0.0}, {1.6, 0.6, 0.01})}),
+      "");
+}
+
 // Measured on a hand 60 mm too high, whose orders were all one too low.
 TEST(LaserAgreementTest, FarShiftsAreRefusedThoughTheyAreKnownBadly) {
   const std::string text = Complaint({Laser(0, {-4.0, 0.1, 0.15}, {0.47, 0.34, 0.32}),
