@@ -184,7 +184,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (robust) {
     DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, options, context));
-    KeepInside(out.mask.mask, 1, &out.stripes);
+    KeepInside(out.mask.mask, &out.stripes);
     if (ridges) MeasureStripes(capture, out.mask.mask, noise, options, context, &out.stripes);
     return out;
   }

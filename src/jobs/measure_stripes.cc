@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <opencv2/imgproc.hpp>
-
 #include "captures/image_file.h"
 #include "stripes/append_segment.h"
 #include "stripes/pooling.h"
@@ -15,16 +13,13 @@
 
 namespace dorsum {
 
-void KeepInside(const cv::Mat& mask, int slack_px, IndexedStripes* stripes) {
-  cv::Mat near;
-  const cv::Size side(2 * slack_px + 1, 2 * slack_px + 1);
-  cv::dilate(mask, near, cv::getStructuringElement(cv::MORPH_ELLIPSE, side));
-  const cv::Rect picture({}, near.size());
+void KeepInside(const cv::Mat& mask, IndexedStripes* stripes) {
+  const cv::Rect picture({}, mask.size());
   for (LaserStripes& one : stripes->lasers) {
     std::vector<char> keep;
     for (const StripePoint& p : one.points) {
       const cv::Point at(cvRound(p.u), cvRound(p.v));
-      keep.push_back(picture.contains(at) && near.at<std::uint8_t>(at) != 0 ? 1 : 0);
+      keep.push_back(picture.contains(at) && mask.at<std::uint8_t>(at) != 0 ? 1 : 0);
     }
     one = KeepPoints(one, keep);
   }

@@ -13,8 +13,9 @@
 
 namespace dorsum {
 
-// Takes away the stripe points further than `slack_px` outside the mask (CV_8UC1, not 0 on the object).
-void KeepInside(const cv::Mat& mask, int slack_px, IndexedStripes* stripes);
+// Takes away the stripe points outside the mask (CV_8UC1, not 0 on the object). Even a pixel further out a
+// stripe of the backplane that the outline cuts would bend the surface down.
+void KeepInside(const cv::Mat& mask, IndexedStripes* stripes);
 
 // From single rows to what is known of the sheets' centres, once the object and the orders are: the surface's
 // shading is taken off (stripes/shading.h) and rows are pooled (stripes/pooling.h). `noise` is that of
