@@ -61,9 +61,7 @@ void RunBatch(const ReconstructRequest& request, Session* session) {
   if (!summary.ok()) return session->Fail(summary.error());
   Json captures = Json::array();
   for (const BatchCapture& c : summary->captures) {
-    std::vector<std::string> warnings;
-    for (const std::string& w : c.warnings) warnings.push_back(c.name + ": " + w);
-    session->Warn(warnings);
+    for (const std::string& w : c.warnings) session->Warn({c.name + ": " + w});
     captures.push_back({{"capture", c.name},
                         {"result", OutcomeText(c.outcome)},
                         {"points", c.points},

@@ -78,18 +78,19 @@ Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::
 }
 
 Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const ReadyCalibration& ready,
-                                         const ReconstructOptions& asked, const Context& context) {
+                                         const ReconstructOptions& options, const Context& context) {
   const DeviceGeometry& device = ready.calibration.device;
   DORSUM_RETURN_IF_ERROR(CheckResolution(capture, device.camera));
-  DORSUM_RETURN_IF_ERROR(CheckLasers(asked.lasers, device));
-  const ReconstructOptions options = ResolveStages(asked);
-  DORSUM_RETURN_IF_ERROR(CheckSheets(options, device));
+  DORSUM_RETURN_IF_ERROR(CheckLasers(options.lasers, device));
+  const ReconstructOptions resolved = ResolveStages(options);
+  DORSUM_RETURN_IF_ERROR(CheckSheets(resolved, device));
   Reconstruction out;
   out.warnings = capture.warnings;
-  DORSUM_ASSIGN_OR_RETURN(FoundObject found, FindObject(capture, ready.background, device, options, context));
+  DORSUM_ASSIGN_OR_RETURN(FoundObject found,
+                          FindObject(capture, ready.background, device, resolved, context));
   out.mask = std::move(found.mask);
   out.stripes = std::move(found.stripes);
-  if (options.indexing == "joint") DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, capture.hand, device));
+  if (resolved.indexing == "joint") DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, capture.hand, device));
   out.warnings.insert(out.warnings.end(), found.warnings.begin(), found.warnings.end());
   for (const LaserStripes& one : out.stripes.lasers) {
     if (one.points.empty()) {
@@ -101,8 +102,8 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   context.Report("surface", 0.6);
   Triangulation triangulation =
       Triangulate(out.stripes, device,
-                  {.sheets = options.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane,
-                   .correction = options.correction == "polynomial"},
+                  {.sheets = resolved.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane,
+                   .correction = resolved.correction == "polynomial"},
                   context);
   out.points = std::move(triangulation.points);
   out.without_order = triangulation.without_order;

@@ -17,7 +17,7 @@ namespace dorsum {
 struct ShadedRowOptions {
   double dark_side = 0.4;  // a centre is beyond an edge where the surface within `edge_px` of it is darker
                            // than this share of what lies within 1.5 widths, 0 to 1
-  double edge_px = 1.0;  // half a pixel for the edge and half a pixel for the centre, px, 0 to 5
+  double edge_px = 1.0;    // half a pixel for the edge and half a pixel for the centre, px, 0 to 5
   double cut = 0.6;  // a row is cut where its darkest column within 1.5 widths has less than this share of
                      // the brightest, 0 to 1
   double max_move = 1.2;  // a centre that moves further than this many widths is left as it was, 0 to 3

@@ -29,9 +29,9 @@ class SurfaceBrightness {
   SurfaceBrightness(const cv::Mat& green, const cv::Mat& mask, const IndexedStripes& stripes,
                     const SurfaceBrightnessOptions& options);
 
-  // Sets gain[x] for the columns [first, last] of row v: the brightness there over that at column u, or at the
-  // nearest that is known; 0 off the object and in its margin. Returns the natural logarithm of the brightness
-  // where gain is 1. Places where nothing is known have 1 throughout, and none is returned.
+  // Sets gain[x] for the columns [first, last] of row v: the brightness there over that at column u, or at
+  // the nearest that is known; 0 off the object and in its margin. Returns the natural logarithm of the
+  // brightness where gain is 1. Places where nothing is known have 1 throughout, and none is returned.
   std::optional<double> Along(double u, int v, int first, int last, float* gain) const;
 
   // Natural logarithm of a stripe's peak at a point over what that stripe has on a surface as bright as the
