@@ -124,8 +124,8 @@ void AddReconstruct(CLI::App* app, Session* session) {
   AddTable(c, &arguments->table);
   AddCommonOptions(c, session);
   c->footer(
-      "Examples: dorsum reconstruct scan/captures/box25.5 -c calibration.json -o box25.5\n"
-      "          dorsum reconstruct scan/captures -c calibration.json -o surfaces --batch --no-report");
+      "Example: dorsum reconstruct scan/captures/box25.5 -c calibration.json -o box25.5\n"
+      "         dorsum reconstruct scan/captures -c calibration.json -o surfaces --batch --no-report");
   c->callback([arguments, c, session] { Run(arguments.get(), c, session); });
 }
 
