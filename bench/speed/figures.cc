@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "speed/figures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -92,6 +93,8 @@ std::string StageTable(const Measured& measured) {
 }
 
 std::string SizeTable(const Measured& measured) {
+  const auto is_size = [](const auto& named) { return named.first.starts_with("size/"); };
+  if (std::none_of(measured.begin(), measured.end(), is_size)) return "Not measured yet.\n";
   MarkdownTable table({"pictures", "default chain, 2 threads, times the floor of 1600×1200 and four lasers"});
   for (const auto& [name, ms] : measured) {
     for (const std::string kind : {"size/megapixels:", "size/lasers:"}) {

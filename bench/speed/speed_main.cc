@@ -21,7 +21,7 @@ constexpr const char* kRecord = "speed.json";
 struct Arguments {
   std::string cache, results, write, check;
   int batch = 200;
-  bool brief = false;
+  bool brief = false, no_sizes = false;
 };
 
 Result<Measured> Measure(const Arguments& arguments, const Context& context) {
@@ -29,7 +29,7 @@ Result<Measured> Measure(const Arguments& arguments, const Context& context) {
   DORSUM_ASSIGN_OR_RETURN(const SpeedScene scene, MakeSpeedScene({}, arguments.cache, context));
   std::map<std::string, SpeedScene> others;
   const auto add = [&](const std::string& name, const SpeedDevice& device) -> Status {
-    if (arguments.brief) return {};
+    if (arguments.brief || arguments.no_sizes) return {};
     std::fprintf(stderr, "%s\n", name.c_str());
     DORSUM_ASSIGN_OR_RETURN(others[name], MakeSpeedScene(device, arguments.cache, context));
     return {};
@@ -99,6 +99,7 @@ int Run(int argc, char** argv) {
   app.add_option("--batch", arguments.batch, "captures of the batch")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
+  app.add_flag("--no-sizes", arguments.no_sizes, "leave other pictures and numbers of lasers out");
   app.add_flag("--short", arguments.brief, "one device, and nothing that runs for minutes");
   app.allow_extras();
   app.footer(
