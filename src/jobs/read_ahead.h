@@ -86,8 +86,7 @@ Status ReadAhead(std::size_t count, const Context& context, const std::function<
   }
   {
     std::unique_lock lock(mutex);
-    std::size_t reported = count + 1;
-    while (done < count && !stop) {
+    for (std::size_t reported = count + 1; count > 0;) {
       if (done != reported) {
         reported = done;
         lock.unlock();
@@ -96,6 +95,7 @@ Status ReadAhead(std::size_t count, const Context& context, const std::function<
         lock.lock();
         continue;
       }
+      if (done == count || stop) break;
       // Nobody wakes us when the job is cancelled, so look now and then.
       changed.wait_for(lock, std::chrono::milliseconds(50));
       if (context.IsCancelled()) stop = true;
