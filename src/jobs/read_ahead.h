@@ -26,14 +26,14 @@ namespace dorsum {
 template <class Item>
 Status ReadAhead(std::size_t count, const Context& context, const std::function<Item(std::size_t)>& read,
                  const std::function<void(std::size_t, const Item&)>& work) {
+  if (count == 0) return {};
   std::mutex mutex;
   std::condition_variable changed;
   std::deque<std::pair<std::size_t, Item>> waiting;
   std::size_t done = 0;
   bool all_read = false, stop = false;
   std::exception_ptr failure;
-  const auto workers =
-      std::min(static_cast<std::size_t>(ThreadsOf(context)), std::max<std::size_t>(1, count));
+  const auto workers = std::min(static_cast<std::size_t>(ThreadsOf(context)), count);
   const auto guarded = [&](const auto& body) {
     try {
       body();
@@ -86,7 +86,8 @@ Status ReadAhead(std::size_t count, const Context& context, const std::function<
   }
   {
     std::unique_lock lock(mutex);
-    for (std::size_t reported = count + 1; count > 0;) {
+    std::size_t reported = count + 1;
+    for (;;) {
       if (done != reported) {
         reported = done;
         lock.unlock();
