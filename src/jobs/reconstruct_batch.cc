@@ -30,10 +30,11 @@ Result<std::vector<std::string>> FindCaptureFolders(const fs::path& dir) {
   return names;
 }
 
-// When the newest file of a folder was written.
-std::optional<fs::file_time_type> NewestFile(const fs::path& dir) {
-  std::optional<fs::file_time_type> newest;
+// When a folder last changed: the newest of its files, and of their coming and going.
+std::optional<fs::file_time_type> LastChange(const fs::path& dir) {
   std::error_code ec;
+  std::optional<fs::file_time_type> newest = fs::last_write_time(dir, ec);
+  if (ec) return std::nullopt;
   for (const auto& entry : fs::directory_iterator(dir, ec)) {
     const auto written = entry.last_write_time(ec);
     if (!ec && (!newest || written > *newest)) newest = written;
@@ -46,7 +47,7 @@ std::optional<BatchCapture> KeptResult(const ReconstructRequest& request, const 
   const fs::path report = request.out_dir / kReportJson;
   std::error_code ec;
   const auto made = fs::last_write_time(report, ec);
-  const auto captured = NewestFile(request.capture_dir);
+  const auto captured = LastChange(request.capture_dir);
   if (ec || !captured || *captured > made) return std::nullopt;
   std::vector<std::string> wanted = {"points.ply", "mask.png"};
   for (const std::string& format : request.mesh_formats) wanted.push_back("surface." + format);

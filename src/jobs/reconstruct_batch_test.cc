@@ -87,6 +87,12 @@ TEST_F(BatchTest, WhatWasDoneInTheSameWayIsKept) {
   EXPECT_EQ(Run().captures[0].outcome, BatchOutcome::kDone) << "other options";
   fs::remove(surface);
   EXPECT_EQ(Run().captures[0].outcome, BatchOutcome::kDone) << "a file is gone";
+  ASSERT_TRUE(WriteFile(request_.out_dir / "box, first" / "report.json", "{\"program\": [").ok());
+  EXPECT_EQ(Run().captures[0].outcome, BatchOutcome::kDone) << "a torn record";
+  ASSERT_TRUE(WriteFile(request_.out_dir / "box, first" / "report.json", "[1, null]").ok());
+  EXPECT_EQ(Run().captures[0].outcome, BatchOutcome::kDone) << "a record of something else";
+  fs::remove(request_.capture_dir / "box, first" / "stripesHand2.png");
+  EXPECT_EQ(Run().captures[0].outcome, BatchOutcome::kDone) << "a picture is gone";
   fs::last_write_time(request_.capture_dir / "box, first" / "bgHand.png",
                       fs::file_time_type::clock::now() + std::chrono::hours(1));
   EXPECT_EQ(Run().captures[0].outcome, BatchOutcome::kDone) << "another picture";
