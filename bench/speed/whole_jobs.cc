@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "base/files.h"
+#include "base/median.h"
 #include "calibration/chessboard.h"
 #include "captures/calibration_series.h"
 #include "captures/image_file.h"
@@ -40,11 +41,6 @@ Status FindAllCorners(const CalibrationSeries& series) {
     }
   }
   return {};
-}
-
-double Median(std::vector<double> v) {
-  std::sort(v.begin(), v.end());
-  return v[v.size() / 2];
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "calibration/bundle_boards.h"
 #include "calibration/bundle_residuals.h"
 #include "calibration/bundle_verdicts.h"
@@ -44,10 +45,8 @@ class Bundler {
     boards.use_points = false;
     DORSUM_ASSIGN_OR_RETURN(solution_,
                             SolveBundle(out_.data, StartOfBoards(camera, out_.data), boards, context_));
-    std::vector<double> errors = ViewErrors(out_.data, solution_.state);
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    problem_.corner_sd_px = std::clamp(*middle / std::sqrt(2.0), 0.03, 1.0);
+    const double usual = Median(ViewErrors(out_.data, solution_.state));
+    problem_.corner_sd_px = std::clamp(usual / std::sqrt(2.0), 0.03, 1.0);
     boards.corner_sd_px = problem_.corner_sd_px;
     DORSUM_ASSIGN_OR_RETURN(out_.board, CheckBoard(out_.data, solution_.state, boards, context_));
     problem_.bow_boards = boards.bow_boards = BoardIsBent(out_.board, options_.verdicts);

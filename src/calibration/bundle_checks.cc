@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/median.h"
 #include "calibration/bundle_functions.h"
 #include "geometry/calibration.h"
 
@@ -30,10 +31,7 @@ double LowOrderOff(const BundleState& state, const std::vector<SheetPoint>& poin
     rows.emplace_back(1.0, at.x() / 100.0, at.y() / 100.0);
     misses.push_back(OrderMiss(state, p) / p.orders_per_px * p.mm_per_px);
   }
-  std::vector<double> sorted = misses;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  Eigen::Vector3d fit(*middle, 0.0, 0.0);
+  Eigen::Vector3d fit(Median(misses), 0.0, 0.0);
   for (int pass = 0; pass < 8; ++pass) {
     Eigen::Matrix3d normal = 1e-9 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();

@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "calibration/chessboard.h"
 #include "captures/image_file.h"
 
@@ -17,10 +18,7 @@ namespace {
 std::vector<int> CountWithGaps(const std::vector<double>& x) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < x.size(); ++i) steps.push_back(x[i] - x[i - 1]);
-  std::vector<double> sorted = steps;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double usual = sorted[sorted.size() / 2];
+  const double usual = Median(steps);
   std::vector<int> index{0};
   for (const double step : steps)
     index.push_back(index.back() + std::max(1, static_cast<int>(std::lround(step / usual))));

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/median.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
 
@@ -44,10 +46,7 @@ int OrderShift(const LaserGeometry& classic, const DiffractedFan& fan) {
     const auto at = Locate(fan, {sheet.plane.offset / slope, 0.0, 0.0});
     if (at) shifts.push_back(at->Order(fan) - sheet.order);
   }
-  if (shifts.empty()) return 0;
-  const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
-  std::nth_element(shifts.begin(), middle, shifts.end());
-  return static_cast<int>(std::lround(*middle));
+  return static_cast<int>(std::lround(Median(std::move(shifts))));
 }
 
 void AddClassicSheets(const LaserGeometry& classic, LaserGeometry* laser) {

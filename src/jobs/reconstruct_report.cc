@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include <Eigen/Geometry>
 
+#include "base/median.h"
 #include "base/version.h"
 
 namespace dorsum {
@@ -28,12 +30,10 @@ std::vector<ReportRow> Facts(const Reconstruction& result) {
   }
   std::vector<float> sigmas;
   for (const SurfacePoint& p : result.points) sigmas.push_back(p.sigma);
-  std::nth_element(sigmas.begin(), sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2),
-                   sigmas.end());
   return {{"points", std::to_string(result.points.size()), ""},
           {"surface", Fixed(area / 100.0, 1), "cm^2"},
           {"highest place", Fixed(highest, 1), "mm"},
-          {"usual uncertainty", Fixed(sigmas[sigmas.size() / 2], 2), "mm"}};
+          {"usual uncertainty", Fixed(static_cast<double>(Median(std::move(sigmas))), 2), "mm"}};
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+
+#include "base/median.h"
 
 namespace dorsum {
 namespace {
@@ -58,9 +61,7 @@ std::vector<BackplaneCheck> CheckBackplane(const std::vector<LaserStripes>& stri
     if (4 * check.points < options.min_points || shared < options.min_share * check.points) continue;
     std::vector<double> sizes;
     for (std::size_t i = first; i < last; ++i) sizes.push_back(std::abs(shifts[i]));
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    check.shift_px = *middle;
+    check.shift_px = Median(std::move(sizes));
     check.moved = check.shift_px > options.max_shift_px;
   }
   return checks;

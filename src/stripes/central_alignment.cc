@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
+
+#include "base/median.h"
 
 namespace dorsum {
 namespace {
@@ -55,9 +58,7 @@ struct Candidate {
 double MedianPoints(const Levels& levels) {
   std::vector<double> points;
   for (const auto& [index, level] : levels) points.push_back(level.points);
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-  std::nth_element(points.begin(), middle, points.end());
-  return *middle;
+  return Median(std::move(points));
 }
 
 // Does the level stand out against those beside it, as order 0 does on the backplane?

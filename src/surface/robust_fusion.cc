@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "base/median.h"
 #include "surface/lattice_mesh.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
@@ -26,9 +28,7 @@ double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
   std::vector<double> depths;
   depths.reserve(points.size());
   for (const SurfacePoint& p : points) depths.push_back((camera.camera_from_world * p.position).z());
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle / std::sqrt(camera.fx * camera.fy);
+  return Median(std::move(depths)) / std::sqrt(camera.fx * camera.fy);
 }
 
 // Geman and McClure's weights for the residuals against the present surface.
