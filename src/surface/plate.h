@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -26,6 +27,15 @@ struct PlateSample {
   float z = 0.0F;            // mm
   float weight = 0.0F;
 };
+
+// Where a pixel lies between the nodes of a lattice.
+struct LatticePlace {
+  int c = 0, r = 0;
+  float fc = 0.0F, fr = 0.0F;  // from that node to the next, 0 to 1
+};
+
+// None unless all four corners are active.
+std::optional<LatticePlace> FindPlace(const PlateLattice& lattice, double u, double v);
 
 struct PlateOptions {
   double mm_per_px = 0.2;    // of the object, above 0

@@ -22,6 +22,8 @@ namespace {
 constexpr float kLeastSigma = 0.01F;       // mm; no point is better than that
 constexpr float kStartStiffness = 100.0F;  // of the coarsest lattice, before curvatures are known
 constexpr double kCoarsestStepMm = 2.0;
+// Each level starts from the one before, so few steps of the solver bring it far below the points' noise.
+constexpr int kIterations = 80, kExactIterations = 200;
 
 // How many mm of the object one pixel spans, at the points' median depth.
 double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
@@ -56,6 +58,7 @@ class Fuser {
         outline_(mask, static_cast<int>(std::ceil(2.0 * options.pitch_mm / mm_per_px_)) + 1),
         rays_(camera, outline_.bounds()) {
     plate_.mm_per_px = mm_per_px_;
+    plate_.max_iterations = kIterations;
     out_.field.pitch_mm = options.pitch_mm;
     out_.verdicts.assign(points.size(), PointVerdict::kGood);
   }
@@ -139,9 +142,8 @@ class Fuser {
 
   // An offset that is surely there is taken off; a large one is a movement, which no offset mends.
   void LevelLasers(PlateLattice* level) {
-    constexpr int kIterations = 400;
     PlateOptions exact = plate_;
-    exact.max_iterations = kIterations;
+    exact.max_iterations = kExactIterations;
     exact.tolerance = 1e-5;
     level->stiffness = LocalStiffness(*level, *level, {.mm_per_px = mm_per_px_});
     const std::vector<PlateSample> weighed = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas);
