@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "stripes/noise_model.h"
 
@@ -23,6 +25,8 @@ struct ProfileStart {
   const float* gain = nullptr;
   // What the amplitude is expected to be, and its standard deviation, grey values; 0: nothing is known.
   double amplitude = 0.0, amplitude_sd = 0.0;
+
+  float GainAt(int column) const { return gain == nullptr ? 1.0F : gain[column]; }
 };
 
 // A Gaussian on an even background, in one row of an image; with a gain, times that.
@@ -40,9 +44,25 @@ struct ProfileFit {
   double At(double column) const;  // without gain
 };
 
+// Where the fit begins: the window, the extremes in it, and how many pixels saturate. Returns the number of
+// pixels where the surface is seen. The window has at most kMostHalfWindow columns on each side.
+inline constexpr int kMostHalfWindow = 127;
+int BeginFit(const std::uint8_t* row, const ProfileStart& start, const ProfileFitOptions& options,
+             ProfileFit* fit);
+
+// A profile to be fitted in a row of an image.
+struct ProfileTask {
+  const std::uint8_t* row = nullptr;
+  ProfileStart start;
+};
+
 // Weighted least squares of centre, width, amplitude and background (Levenberg-Marquardt) with the noise
 // model's variances, so that the centre's spread meets the Cramér-Rao bound with all four unknown. Clipped
-// pixels are censored: they only speak where the model stays below them.
+// pixels are censored: they only speak where the model stays below them. One fit per task, each the same
+// whatever the others are.
+std::vector<ProfileFit> FitProfiles(std::span<const ProfileTask> tasks, const NoiseModel& noise,
+                                    const ProfileFitOptions& options);
+
 ProfileFit FitProfile(const std::uint8_t* row, const ProfileStart& start, const NoiseModel& noise,
                       const ProfileFitOptions& options);
 

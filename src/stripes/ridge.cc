@@ -14,25 +14,39 @@
 namespace dorsum {
 namespace {
 
-std::vector<StripePoint> MeasureRow(const std::uint8_t* pixels, const std::vector<RidgeCandidate>& row, int v,
-                                    int cols, const RidgeSurvey& survey, const RidgeOptions& options) {
-  std::vector<StripePoint> points;
-  points.reserve(row.size());
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const ProfileFit fit =
-        FitProfile(pixels, StartBetween(row, i, survey.width_px, cols), survey.noise, options.fit);
-    if (!fit.ok || fit.width > options.max_width_ratio * survey.width_px) continue;
-    StripePoint p;
-    p.u = static_cast<float>(fit.u);
-    p.v = static_cast<float>(v);
-    p.sd_px = static_cast<float>(fit.sd_u);
-    p.peak = static_cast<float>(std::min(255.0, fit.amplitude));
-    p.width = static_cast<float>(fit.width);
-    points.push_back(p);
+// Rows whose profiles are fitted together, so that the fits of a few do not leave lanes empty.
+constexpr int kRowsTogether = 16;
+
+// Fits the candidates of the rows from `first` on; points of each row by growing column.
+void MeasureRows(const cv::Mat& green, const std::vector<std::vector<RidgeCandidate>>& candidates, int first,
+                 const RidgeSurvey& survey, const RidgeOptions& options,
+                 std::vector<std::vector<StripePoint>>* rows) {
+  const int end = std::min(green.rows, first + kRowsTogether);
+  std::vector<ProfileTask> tasks;
+  for (int v = first; v < end; ++v) {
+    const std::vector<RidgeCandidate>& row = candidates[static_cast<std::size_t>(v)];
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      tasks.push_back({green.ptr<std::uint8_t>(v), StartBetween(row, i, survey.width_px, green.cols)});
+    }
   }
-  std::stable_sort(points.begin(), points.end(),
-                   [](const StripePoint& p, const StripePoint& q) { return p.u < q.u; });
-  return points;
+  const std::vector<ProfileFit> fits = FitProfiles(tasks, survey.noise, options.fit);
+  auto next = fits.begin();
+  for (int v = first; v < end; ++v) {
+    std::vector<StripePoint>& points = (*rows)[static_cast<std::size_t>(v)];
+    for (std::size_t i = 0; i < candidates[static_cast<std::size_t>(v)].size(); ++i) {
+      const ProfileFit& fit = *next++;
+      if (!fit.ok || fit.width > options.max_width_ratio * survey.width_px) continue;
+      StripePoint p;
+      p.u = static_cast<float>(fit.u);
+      p.v = static_cast<float>(v);
+      p.sd_px = static_cast<float>(fit.sd_u);
+      p.peak = static_cast<float>(std::min(255.0, fit.amplitude));
+      p.width = static_cast<float>(fit.width);
+      points.push_back(p);
+    }
+    std::stable_sort(points.begin(), points.end(),
+                     [](const StripePoint& p, const StripePoint& q) { return p.u < q.u; });
+  }
 }
 
 // What the row before points[at] .. points[at + rows - 1] should show if the amplitude went on as it does
@@ -116,10 +130,8 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
   detection.width_px = survey.width_px;
   const auto candidates = DetectRidges(green, region, survey.noise, detection, context);
   std::vector<std::vector<StripePoint>> rows(candidates.size());
-  ParallelFor(context, 0, green.rows, [&](std::int64_t row) {
-    const auto i = static_cast<std::size_t>(row);
-    rows[i] = MeasureRow(green.ptr<std::uint8_t>(static_cast<int>(row)), candidates[i], static_cast<int>(row),
-                         green.cols, survey, options);
+  ParallelFor(context, 0, (green.rows + kRowsTogether - 1) / kRowsTogether, [&](std::int64_t block) {
+    MeasureRows(green, candidates, static_cast<int>(block) * kRowsTogether, survey, options, &rows);
   });
   const LaserStripes linked = LinkSegments(rows, laser, options.linking);
   const LaserStripes mended =

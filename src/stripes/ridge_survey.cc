@@ -44,20 +44,32 @@ struct RowFindings {
   std::vector<NoiseSample> samples;
 };
 
-RowFindings SurveyRow(const std::uint8_t* pixels, const std::vector<RidgeCandidate>& row, double width,
-                      int cols, const NoiseModel& noise, const ProfileFitOptions& options) {
+constexpr int kRowsTogether = 8;  // whose profiles are fitted together
+
+RowFindings SurveyRows(const cv::Mat& green, const std::vector<std::vector<RidgeCandidate>>& candidates,
+                       int first, int end, int step, double width, const NoiseModel& noise,
+                       const ProfileFitOptions& options) {
+  std::vector<ProfileTask> tasks;
+  for (int v = first; v < end; v += step) {
+    const std::vector<RidgeCandidate>& row = candidates[static_cast<std::size_t>(v)];
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      tasks.push_back({green.ptr<std::uint8_t>(v), StartBetween(row, i, width, green.cols)});
+    }
+  }
+  const std::vector<ProfileFit> fits = FitProfiles(tasks, noise, options);
   RowFindings out;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const ProfileFit fit = FitProfile(pixels, StartBetween(row, i, width, cols), noise, options);
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    const ProfileFit& fit = fits[k];
     if (!fit.ok || fit.width_held) continue;
     out.widths.push_back(static_cast<float>(fit.width));
     const int n = fit.last - fit.first + 1 - fit.clipped;
     if (n < 8) continue;
     const double freedom = static_cast<double>(n) / (n - 4.0);
     for (int x = fit.first; x <= fit.last; ++x) {
-      if (pixels[x] >= options.saturated_grey) continue;
-      const double r = static_cast<double>(pixels[x]) - fit.At(x);
-      out.samples.push_back({static_cast<float>(fit.At(x)), static_cast<float>(r * r * freedom)});
+      const std::uint8_t grey = tasks[k].row[x];
+      if (grey >= options.saturated_grey) continue;
+      const double model = fit.At(x), r = static_cast<double>(grey) - model;
+      out.samples.push_back({static_cast<float>(model), static_cast<float>(r * r * freedom)});
     }
   }
   return out;
@@ -94,12 +106,13 @@ RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double wid
     look.width_px = survey.width_px > 0.0 ? survey.width_px : 2.0;
     look.min_contrast = 8.0;
     const auto rows = DetectRidges(green, region, survey.noise, look, context, kComb);
-    std::vector<RowFindings> findings(static_cast<std::size_t>(count));
-    ParallelFor(context, 0, count, [&](std::int64_t i) {
-      const auto row = static_cast<int>(kComb.first + i * kComb.step);
+    const int blocks = (count + kRowsTogether - 1) / kRowsTogether;
+    std::vector<RowFindings> findings(static_cast<std::size_t>(blocks));
+    ParallelFor(context, 0, blocks, [&](std::int64_t i) {
+      const int first = kComb.first + static_cast<int>(i) * kRowsTogether * kComb.step;
+      const int end = std::min(kComb.first + count * kComb.step, first + kRowsTogether * kComb.step);
       findings[static_cast<std::size_t>(i)] =
-          SurveyRow(green.ptr<std::uint8_t>(row), rows[static_cast<std::size_t>(row)], look.width_px,
-                    green.cols, survey.noise, fit);
+          SurveyRows(green, rows, first, end, kComb.step, look.width_px, survey.noise, fit);
     });
     std::vector<float> widths;
     std::vector<NoiseSample> samples;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/simd.h"
 #include "surface/plate_system.h"
 
 #undef HWY_TARGET_INCLUDE
