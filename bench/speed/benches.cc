@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/core/utility.hpp>
 
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 #include "speed/allocation_count.h"
 #include "speed/floor.h"
 #include "speed/steger.h"

@@ -6,7 +6,7 @@
 #include "base/median.h"
 #include "calibration/chessboard.h"
 #include "captures/calibration_series.h"
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 #include "captures/names.h"
 #include "jobs/calibrate.h"
 #include "speed/benches.h"

@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 
 namespace dorsum {
 namespace {

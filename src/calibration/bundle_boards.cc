@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "calibration/chessboard.h"
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 #include "captures/names.h"
 
 namespace dorsum {

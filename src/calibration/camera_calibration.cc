@@ -10,7 +10,7 @@
 
 #include "base/parallel.h"
 #include "calibration/chessboard.h"
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 
 namespace dorsum {
 namespace {

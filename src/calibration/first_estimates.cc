@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 #include "captures/names.h"
 #include "imaging/iterative_threshold.h"
 #include "imaging/stage_sink.h"

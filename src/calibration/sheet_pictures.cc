@@ -2,6 +2,7 @@
 #include "calibration/sheet_pictures.h"
 
 #include "base/parallel.h"
+#include "captures/green_channel.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/median.h"
 #include "calibration/chessboard.h"
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 
 namespace dorsum {
 namespace {

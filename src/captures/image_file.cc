@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/files.h"
+#include "captures/green_channel.h"
 #include "captures/image_header.h"
 #include "captures/jpeg_image.h"
 
@@ -76,12 +77,6 @@ Result<cv::Mat> DecodeImage(const std::string& bytes, const std::string& name,
 Result<cv::Mat> ReadImage(const std::filesystem::path& path, std::optional<cv::Size> expected) {
   DORSUM_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path, std::size_t{512} << 20));
   return DecodeImage(bytes, path.string(), expected);
-}
-
-cv::Mat GreenChannel(const cv::Mat& bgr) {
-  cv::Mat green;
-  cv::extractChannel(bgr, green, 1);
-  return green;
 }
 
 Status CheckExposure(const cv::Mat& bgr, const std::string& name) {

@@ -29,9 +29,6 @@ Result<cv::Mat> ReadImage(const std::filesystem::path& path, std::optional<cv::S
 Result<cv::Mat> DecodeImage(const std::string& bytes, const std::string& name,
                             std::optional<cv::Size> expected = std::nullopt);
 
-// The green channel, in which the stripes are read (§3.4).
-cv::Mat GreenChannel(const cv::Mat& bgr);
-
 // Refuses an image with no contrast in its green channel: it was taken with the light off, or is overexposed
 // throughout.
 Status CheckExposure(const cv::Mat& bgr, const std::string& name);

@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "base/temp_folder_test.h"
+#include "captures/green_channel.h"
 
 namespace dorsum {
 namespace {

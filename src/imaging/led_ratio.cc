@@ -3,14 +3,15 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "captures/green_channel.h"
+
 namespace dorsum {
 namespace {
 
 constexpr double kDarkest = 6.0;  // grey values; below it the ratio is noise
 
 cv::Mat Green(const cv::Mat& image, int scale) {
-  cv::Mat green, out;
-  cv::extractChannel(image, green, 1);
+  cv::Mat green = GreenChannel(image), out;
   if (scale == 2) {
     cv::copyMakeBorder(green, green, 0, green.rows % 2, 0, green.cols % 2, cv::BORDER_REPLICATE);
     green.convertTo(green, CV_16U, 16.0);  // the mean of four keeps its fraction

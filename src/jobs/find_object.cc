@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-
-#include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "base/parallel.h"
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 #include "imaging/object_mask.h"
 #include "imaging/shadow.h"
 #include "imaging/stage_sink.h"
+#include "imaging/unchanged_part.h"
 #include "jobs/measure_stripes.h"
 #include "stripes/backplane_check.h"
 #include "stripes/object_stripes.h"
@@ -91,31 +91,21 @@ FoundObject Index(std::vector<LaserStripes> stripes, const DeviceGeometry& devic
   return out;
 }
 
-// Where the picture under the LEDs is as bright as the empty backplane, but for a share of it.
-cv::Mat EmptyPart(const cv::Mat& background, const cv::Mat& hand, double share) {
-  cv::Mat before, after, difference, allowed;
-  cv::blur(GreenChannel(background), before, {5, 5});
-  cv::blur(GreenChannel(hand), after, {5, 5});
-  cv::absdiff(before, after, difference);
-  before.convertTo(allowed, CV_8U, share, 1.0);
-  return difference <= allowed;
-}
-
 // A lamp that failed or a lens that was covered leaves no part of the picture as it was.
-Status CheckLight(const cv::Mat& background, const cv::Mat& hand) {
+Status CheckLight(const UnchangedPart& unchanged) {
   constexpr double kLeastShare = 0.02;
-  const cv::Mat similar = EmptyPart(background, hand, 0.4);
+  const cv::Mat similar = unchanged.Mask(0.4);
   if (cv::countNonZero(similar) >= kLeastShare * static_cast<double>(similar.total())) return {};
   return BadInput(
       "bgHand differs from the background nearly everywhere; the light or the camera changed since the "
       "calibration, so calibrate again");
 }
 
-Status CheckDevice(const std::vector<LaserStripes>& stripes, const cv::Mat& background, const cv::Mat& hand,
+Status CheckDevice(const std::vector<LaserStripes>& stripes, const UnchangedPart& unchanged,
                    const DeviceGeometry& device) {
   std::string moved;
   double shift = 0.0;
-  for (const BackplaneCheck& check : CheckBackplane(stripes, device, EmptyPart(background, hand, 0.06), {})) {
+  for (const BackplaneCheck& check : CheckBackplane(stripes, device, unchanged.Mask(0.06), {})) {
     if (!check.moved) continue;
     moved += (moved.empty() ? "" : ", ") + std::to_string(check.laser);
     shift = std::max(shift, check.shift_px);
@@ -163,8 +153,10 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   const bool robust = options.mask == "robust", ridges = options.stripes == "ridge";
   context.Report("mask", 0.0);
   HandMask picture;
+  std::optional<UnchangedPart> unchanged;
   if (robust) {
-    DORSUM_RETURN_IF_ERROR(CheckLight(background, capture.hand));
+    unchanged.emplace(background, capture.hand);
+    DORSUM_RETURN_IF_ERROR(CheckLight(*unchanged));
     picture.mask = cv::Mat(capture.hand.size(), CV_8UC1, cv::Scalar(255));
   } else {
     DORSUM_ASSIGN_OR_RETURN(picture, ExtractHandMask(background, capture.hand, options.hand_mask, context));
@@ -179,7 +171,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   }
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("indexing", 0.5);
-  if (robust) DORSUM_RETURN_IF_ERROR(CheckDevice(stripes, background, capture.hand, device));
+  if (robust) DORSUM_RETURN_IF_ERROR(CheckDevice(stripes, *unchanged, device));
   FoundObject out = Index(std::move(stripes), device, options, context);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (robust) {

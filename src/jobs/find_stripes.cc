@@ -9,6 +9,7 @@
 #include "base/csv.h"
 #include "base/files.h"
 #include "base/median.h"
+#include "captures/green_channel.h"
 #include "captures/image_file.h"
 
 namespace dorsum {

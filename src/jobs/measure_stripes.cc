@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "captures/image_file.h"
+#include "captures/green_channel.h"
 #include "stripes/append_segment.h"
 #include "stripes/pooling.h"
 #include "stripes/shading.h"
@@ -35,7 +35,7 @@ void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask, const std
       pictures.push_back({GreenChannel(picture), noise.at(one.laser)});
     }
     const SurfaceBrightness brightness(GreenChannel(capture.hand), mask, *stripes,
-                                       options.surface_shading.brightness);
+                                       options.surface_shading.brightness, context);
     FitOnShadedSurface(brightness, pictures, options.ridge.fit, options.surface_shading, context, stripes);
     pooling.pull.across_share *= options.surface_shading.left_over;
   }

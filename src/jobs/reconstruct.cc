@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "captures/green_channel.h"
 #include "captures/image_file.h"
 #include "jobs/find_object.h"
 #include "jobs/laser_agreement.h"

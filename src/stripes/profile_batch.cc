@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace dorsum::HWY_NAMESPACE {
 
-// Fits as many profiles side by side as there are lanes. A lane that is done takes the next task, so that none
-// waits for the slowest. Every lane computes what it would compute alone.
+// Fits as many profiles side by side as there are lanes. A lane that is done takes the next task, so that
+// none waits for the slowest. Every lane computes what it would compute alone.
 class ProfileBatch {
  public:
   ProfileBatch(std::span<const ProfileTask> tasks, const NoiseModel& noise, const ProfileFitOptions& options,

@@ -21,12 +21,12 @@ struct ProfileStart {
   double u = 0.0, width = 2.0;  // px
   int first = 0, last = 0;      // columns
   bool hold_width = false;      // the centre may then lie a width outside [first, last]
-  // How bright the surface is in every column of the row, 0: not seen there; null: alike everywhere.
+  // How bright the surface is in every column from `first` on, 0: not seen there; null: alike everywhere.
   const float* gain = nullptr;
   // What the amplitude is expected to be, and its standard deviation, grey values; 0: nothing is known.
   double amplitude = 0.0, amplitude_sd = 0.0;
 
-  float GainAt(int column) const { return gain == nullptr ? 1.0F : gain[column]; }
+  float GainAt(int column) const { return gain == nullptr ? 1.0F : gain[column - first]; }
 };
 
 // A Gaussian on an even background, in one row of an image; with a gain, times that.

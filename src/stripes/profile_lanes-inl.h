@@ -82,7 +82,8 @@ class Lanes {
     low_[lane] = 1.0F;
     high_[lane] = 0.0F;
     reach_[lane] = 0;
-    for (auto* a : {&u_, &amplitude_, &background_, &next_u_, &next_amplitude_, &next_background_}) (*a)[lane] = 0.0F;
+    for (auto* a : {&u_, &amplitude_, &background_, &next_u_, &next_amplitude_, &next_background_})
+      (*a)[lane] = 0.0F;
     width_[lane] = next_width_[lane] = 1.0F;
   }
 
@@ -148,7 +149,7 @@ class Lanes {
   const NoiseModel& noise_;
   std::array<FitState, kLanes> state_{};
   std::array<int, kLanes> middle_{}, reach_{}, rounds_{};
-  Floats low_{}, high_{};                             // columns of the window
+  Floats low_{}, high_{};                              // columns of the window
   Floats u_{}, width_{}, amplitude_{}, background_{};  // where the lane stands
   Floats next_u_{}, next_width_{}, next_amplitude_{}, next_background_{};
   Floats start_u_{}, start_width_{}, beyond_{}, held_{}, prior_{}, prior_weight_{};
@@ -334,9 +335,9 @@ inline void Lanes::Step() {
                                hn::Le(next_width, Set(static_cast<float>(options_.max_width_px)))));
   Put(hn::IfThenElseZero(sane, one), &trial_);
   // Steps shrink at least tenfold here, so what is left of the centre is far below its noise.
-  const M small = hn::And(hn::And(hn::Lt(hn::Abs(step[0]), Set(1e-2F)),
-                                  hn::Lt(hn::Abs(step[1]), Set(2e-2F) * width)),
-                          hn::Lt(hn::Abs(step[2]), Set(1e-2F) * amplitude + Set(0.05F)));
+  const M small =
+      hn::And(hn::And(hn::Lt(hn::Abs(step[0]), Set(1e-2F)), hn::Lt(hn::Abs(step[1]), Set(2e-2F) * width)),
+              hn::Lt(hn::Abs(step[2]), Set(1e-2F) * amplitude + Set(0.05F)));
   Put(hn::IfThenElseZero(small, one), &small_);
 
   Floats is_settled, is_stuck, was_tried, is_solvable;

@@ -49,17 +49,30 @@ LocalWeights WeightsOf(int half) {
   return weights;
 }
 
+// Sums of products of the weights with themselves, 0, 1, … rows apart.
+std::vector<double> Autocorrelation(const std::vector<double>& weights) {
+  std::vector<double> sums(weights.size(), 0.0);
+  for (std::size_t m = 0; m < weights.size(); ++m) {
+    for (std::size_t i = 0; i + m < weights.size(); ++i) sums[m] += weights[i] * weights[i + m];
+  }
+  return sums;
+}
+
 // Covariances of residuals 0 to 4 rows apart when the errors have unit variance and this correlation.
-Products ExpectedProducts(const std::vector<double>& weights, const RowCorrelation& correlation) {
-  const int n = static_cast<int>(weights.size());
+// `apart`: the autocorrelation of the residual's weights.
+Products ExpectedProducts(const std::vector<double>& apart, const RowCorrelation& correlation) {
+  const int n = static_cast<int>(apart.size());
+  std::vector<double> at(apart.size() + kProducts, 1.0);
+  double power = 1.0;
+  for (std::size_t rows = 1; rows < at.size(); ++rows) {
+    power *= correlation.decay;
+    at[rows] = correlation.share * power;
+  }
   Products expected{};
   for (int m = 1 - n; m < n; ++m) {
-    double g = 0.0;
-    for (int i = std::max(0, -m); i < std::min(n, n - m); ++i) {
-      g += weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(i + m)];
-    }
+    const double g = apart[static_cast<std::size_t>(std::abs(m))];
     for (int k = 0; k < static_cast<int>(kProducts); ++k) {
-      expected[static_cast<std::size_t>(k)] += g * correlation.At(std::abs(m - k));
+      expected[static_cast<std::size_t>(k)] += g * at[static_cast<std::size_t>(std::abs(m - k))];
     }
   }
   return expected;
@@ -117,7 +130,7 @@ Products ObservedProducts(const std::vector<Residuals>& all, const std::vector<d
   return sums;
 }
 
-RowCorrelation CorrelationOf(const std::vector<double>& weights, const Products& observed) {
+RowCorrelation CorrelationOf(const std::vector<double>& apart, const Products& observed) {
   RowCorrelation best;
   if (!(observed[0] > 0.0)) return best;
   double least = INFINITY;
@@ -125,10 +138,11 @@ RowCorrelation CorrelationOf(const std::vector<double>& weights, const Products&
     for (double decay = 0.2; decay < 0.86; decay += 0.02) {
       if (share * decay > 0.92) continue;
       const RowCorrelation trial{share, decay};
-      const Products expected = ExpectedProducts(weights, trial);
+      const Products expected = ExpectedProducts(apart, trial);
       double miss = 0.0;
       for (std::size_t k = 1; k < kProducts; ++k) {
-        miss += std::pow(expected[k] / expected[0] - observed[k] / observed[0], 2.0);
+        const double apart_by = expected[k] / expected[0] - observed[k] / observed[0];
+        miss += apart_by * apart_by;
       }
       if (miss < least) {
         least = miss;
@@ -173,8 +187,9 @@ RowNoise MeasureRowNoise(const RowNoiseOptions& options, std::vector<StripeCurve
       if (std::abs(residuals[i].z[k]) > options.outlier_sd * scales[i]) (*curves)[i].use[k] = 0;
     }
   }
-  noise.correlation = CorrelationOf(weights.residual, ObservedProducts(residuals, scales, straight));
-  const double seen = std::sqrt(ExpectedProducts(weights.residual, noise.correlation)[0]);
+  const std::vector<double> apart = Autocorrelation(weights.residual);
+  noise.correlation = CorrelationOf(apart, ObservedProducts(residuals, scales, straight));
+  const double seen = std::sqrt(ExpectedProducts(apart, noise.correlation)[0]);
   noise.scale = std::max(kLeastScale, usual / seen);
   for (std::size_t i = 0; i < scales.size(); ++i)
     noise.per_curve[i] = std::max(kLeastScale, scales[i] / seen);

@@ -31,7 +31,8 @@ struct GainRange {
 GainRange GainAround(const ProfileStart& start, double u, double width) {
   const int first = std::clamp(static_cast<int>(std::floor(u - 1.5 * width)), start.first, start.last);
   const int last = std::clamp(static_cast<int>(std::ceil(u + 1.5 * width)), first, start.last);
-  const auto [least, most] = std::minmax_element(start.gain + first, start.gain + last + 1);
+  const auto [least, most] =
+      std::minmax_element(start.gain + (first - start.first), start.gain + (last + 1 - start.first));
   return {*least, *most};
 }
 
@@ -39,10 +40,53 @@ bool IsOnDarkSide(const ProfileFit& fit, const ProfileStart& start, const Shaded
   const auto bright = static_cast<double>(GainAround(start, fit.u, fit.width).most);
   for (const double beside : {-options.edge_px, 0.0, options.edge_px}) {
     const int x = std::clamp(static_cast<int>(std::lround(fit.u + beside)), start.first, start.last);
-    const auto here = static_cast<double>(start.gain[x]);
+    const auto here = static_cast<double>(start.GainAt(x));
     if (here > 0.0 && here < options.dark_side * bright) return true;
   }
   return false;
+}
+
+// A row before it is fitted.
+struct PreparedRow {
+  ProfileStart start;
+  std::optional<double> level;  // of the surface, natural logarithm
+  GainRange around;
+};
+
+// Adds the row's gains to `gains`; none where its window is too narrow.
+std::optional<PreparedRow> Prepare(const ShadedRowTask& task, const SurfaceBrightness& brightness,
+                                   const std::vector<std::vector<float>>& columns, int cols,
+                                   std::vector<float>* gains) {
+  const int v = static_cast<int>(task.point.v);
+  PreparedRow row;
+  ProfileStart& start = row.start;
+  start.u = static_cast<double>(task.point.u);
+  start.width = task.whole ? task.whole->width : task.width;
+  SetReach(columns[static_cast<std::size_t>(v)], task.point.u, start.width, cols, &start);
+  if (start.last - start.first < 4) return std::nullopt;
+  const std::size_t at = gains->size();
+  gains->resize(at + static_cast<std::size_t>(start.last - start.first + 1));
+  start.gain = &(*gains)[at];
+  row.level = brightness.Along(start.u, v, start.first, start.last, &(*gains)[at]);
+  row.around = GainAround(start, start.u, start.width);
+  // Without one flank, the row cannot tell the profile's width.
+  start.hold_width = row.around.least == 0.0F || task.whole;
+  if (task.whole && row.level) {
+    start.amplitude = std::exp(*row.level + task.whole->strength);
+    start.amplitude_sd = task.whole->share * start.amplitude;
+  }
+  return row;
+}
+
+ShadedRow Judge(const PreparedRow& row, const ProfileFit& fit, const ShadedRowOptions& options) {
+  ShadedRow out;
+  out.profile = fit;
+  out.cut = static_cast<double>(row.around.least) < options.cut * static_cast<double>(row.around.most);
+  if (!fit.ok || std::abs(fit.u - row.start.u) > options.max_move * row.start.width) return out;
+  out.moved = true;
+  out.measures = !IsOnDarkSide(fit, row.start, options) && fit.sd_u <= options.max_sd * row.start.width;
+  if (row.level && fit.clipped == 0) out.strength = std::log(fit.amplitude) - *row.level;
+  return out;
 }
 
 }  // namespace
@@ -67,42 +111,31 @@ std::optional<WholeRows> WholeRowsAround(const std::vector<ShadedRow>& rows, std
   return whole;
 }
 
-ShadedRowFitter::ShadedRowFitter(const SurfaceBrightness& brightness, const LaserPicture& picture,
-                                 const std::vector<std::vector<float>>& columns, const ProfileFitOptions& fit,
-                                 const ShadedRowOptions& options)
-    : brightness_(brightness),
-      picture_(picture),
-      columns_(columns),
-      fit_(fit),
-      options_(options),
-      gain_(static_cast<std::size_t>(picture.green.cols), 0.0F) {}
-
-ShadedRow ShadedRowFitter::Fit(const StripePoint& point, double width,
-                               const std::optional<WholeRows>& whole) {
-  const int v = static_cast<int>(point.v);
-  ShadedRow out;
-  ProfileStart start;
-  start.u = static_cast<double>(point.u);
-  start.width = whole ? whole->width : width;
-  SetReach(columns_[static_cast<std::size_t>(v)], point.u, start.width, picture_.green.cols, &start);
-  if (start.last - start.first < 4) return out;
-  const auto level = brightness_.Along(start.u, v, start.first, start.last, gain_.data());
-  start.gain = gain_.data();
-  const GainRange around = GainAround(start, start.u, start.width);
-  // Without one flank, the row cannot tell the profile's width.
-  start.hold_width = around.least == 0.0F || whole;
-  if (whole && level) {
-    start.amplitude = std::exp(*level + whole->strength);
-    start.amplitude_sd = whole->share * start.amplitude;
+std::vector<ShadedRow> FitShadedRows(const std::vector<ShadedRowTask>& tasks,
+                                     const SurfaceBrightness& brightness, const LaserPicture& picture,
+                                     const std::vector<std::vector<float>>& columns,
+                                     const ProfileFitOptions& fit, const ShadedRowOptions& options) {
+  std::vector<float> gains;
+  std::vector<PreparedRow> prepared;
+  std::vector<std::size_t> which;  // of the tasks
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const auto row = Prepare(tasks[i], brightness, columns, picture.green.cols, &gains);
+    if (!row) continue;
+    prepared.push_back(*row);
+    which.push_back(i);
   }
-  out.profile = FitProfile(picture_.green.ptr<std::uint8_t>(v), start, picture_.noise, fit_);
-  const ProfileFit& fit = out.profile;
-  out.cut = static_cast<double>(around.least) < options_.cut * static_cast<double>(around.most);
-  if (!fit.ok || std::abs(fit.u - start.u) > options_.max_move * start.width) return out;
-  out.moved = true;
-  out.measures = !IsOnDarkSide(fit, start, options_) && fit.sd_u <= options_.max_sd * start.width;
-  if (level && fit.clipped == 0) out.strength = std::log(fit.amplitude) - *level;
-  return out;
+  std::vector<ProfileTask> profiles;
+  const float* gain = gains.data();  // where the gains lie now that there are no more to come
+  for (std::size_t k = 0; k < prepared.size(); ++k) {
+    ProfileStart& start = prepared[k].start;
+    start.gain = gain;
+    gain += start.last - start.first + 1;
+    profiles.push_back({picture.green.ptr<std::uint8_t>(static_cast<int>(tasks[which[k]].point.v)), start});
+  }
+  const std::vector<ProfileFit> fits = FitProfiles(profiles, picture.noise, fit);
+  std::vector<ShadedRow> rows(tasks.size());
+  for (std::size_t k = 0; k < fits.size(); ++k) rows[which[k]] = Judge(prepared[k], fits[k], options);
+  return rows;
 }
 
 }  // namespace dorsum

@@ -48,26 +48,20 @@ struct WholeRows {
 // The median of the nearest whole rows of a stripe's segment; none where these are too few.
 std::optional<WholeRows> WholeRowsAround(const std::vector<ShadedRow>& rows, std::size_t at);
 
-// Fits rows of one laser's picture. Keeps a buffer: one for each thread.
-class ShadedRowFitter {
- public:
-  // `columns`: of all stripe points of each row, growing; a window does not reach beyond half the way to the
-  // next. All must outlive the fitter.
-  ShadedRowFitter(const SurfaceBrightness& brightness, const LaserPicture& picture,
-                  const std::vector<std::vector<float>>& columns, const ProfileFitOptions& fit,
-                  const ShadedRowOptions& options);
-
-  // `width`: usual around there, px. With one flank gone, the amplitude, width and centre of a row cannot be
-  // told from each other, and the centre is drawn to the flank that is left; `whole` fixes the other two.
-  ShadedRow Fit(const StripePoint& point, double width, const std::optional<WholeRows>& whole);
-
- private:
-  const SurfaceBrightness& brightness_;
-  const LaserPicture& picture_;
-  const std::vector<std::vector<float>>& columns_;
-  const ProfileFitOptions& fit_;
-  const ShadedRowOptions& options_;
-  std::vector<float> gain_;
+// A stripe point whose row is to be fitted. `width`: usual around there, px. With one flank gone, the
+// amplitude, width and centre of a row cannot be told from each other, and the centre is drawn to the flank
+// that is left; `whole` fixes the other two.
+struct ShadedRowTask {
+  StripePoint point;
+  double width = 0.0;
+  std::optional<WholeRows> whole;
 };
+
+// Fits rows of one laser's picture. `columns`: of all stripe points of each row, growing; a window does not
+// reach beyond half the way to the next.
+std::vector<ShadedRow> FitShadedRows(const std::vector<ShadedRowTask>& tasks,
+                                     const SurfaceBrightness& brightness, const LaserPicture& picture,
+                                     const std::vector<std::vector<float>>& columns,
+                                     const ProfileFitOptions& fit, const ShadedRowOptions& options);
 
 }  // namespace dorsum

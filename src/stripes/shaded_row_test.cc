@@ -35,7 +35,7 @@ TEST(WholeRowsAround, AreTheNearestThatNothingCuts) {
 }
 
 // One flank of a stripe whose middle lies 1 px beyond the outline.
-TEST(ShadedRowFitter, WholeRowsPlaceACentreBeyondTheOutline) {
+TEST(FitShadedRows, WholeRowsPlaceACentreBeyondTheOutline) {
   const ShadedScene scene([](double, double) { return 0.8; }, {5, 5, 84, 150});  // to 89 px; stripe 4 at 90.3
   const IndexedStripes stripes = scene.Stripes([](int k) { return k < 5; });
   const SurfaceBrightness bright(scene.led, scene.mask, stripes, {});
@@ -43,11 +43,14 @@ TEST(ShadedRowFitter, WholeRowsPlaceACentreBeyondTheOutline) {
   const std::vector<std::vector<float>> columns(160);
   const ProfileFitOptions fit;
   const ShadedRowOptions options;
-  ShadedRowFitter fitter(bright, picture, columns, fit, options);
+  const auto fit_row = [&](const StripePoint& point, const std::optional<WholeRows>& whole) {
+    return FitShadedRows({{point, ShadedScene::kWidth, whole}}, bright, picture, columns, fit, options)
+        .front();
+  };
   StripePoint inner;
   inner.u = static_cast<float>(ShadedScene::Centre(3));
   inner.v = 80.0F;
-  const ShadedRow clean = fitter.Fit(inner, ShadedScene::kWidth, std::nullopt);
+  const ShadedRow clean = fit_row(inner, std::nullopt);
   ASSERT_TRUE(clean.moved && clean.strength);
   EXPECT_FALSE(clean.cut);
   StripePoint outer = inner;
@@ -56,8 +59,7 @@ TEST(ShadedRowFitter, WholeRowsPlaceACentreBeyondTheOutline) {
   int rows = 0;
   for (int v = 40; v < 120; ++v) {
     outer.v = static_cast<float>(v);
-    const ShadedRow cut =
-        fitter.Fit(outer, ShadedScene::kWidth, WholeRows{*clean.strength, 0.1, ShadedScene::kWidth});
+    const ShadedRow cut = fit_row(outer, WholeRows{*clean.strength, 0.1, ShadedScene::kWidth});
     EXPECT_TRUE(cut.cut);
     if (!cut.moved) continue;
     miss += cut.profile.u - ShadedScene::Centre(4);

@@ -39,20 +39,26 @@ std::vector<double> WidthsAlong(const LaserStripes& one, const StripeSegment& se
   return widths;
 }
 
-// Whole rows first; then those that an edge cuts, with what the whole ones say.
+// Whole rows first; then those that an edge cuts, with what the whole ones say. `fit`: fits some rows.
+template <class Fit>
 std::vector<ShadedRow> FitTwice(const LaserStripes& one, const StripeSegment& segment,
-                                const std::vector<double>& widths, ShadedRowFitter* fitter) {
-  const StripePoint* points = &one.points[static_cast<std::size_t>(segment.first)];
-  std::vector<ShadedRow> rows;
+                                const std::vector<double>& widths, const Fit& fit) {
+  std::vector<ShadedRowTask> tasks;
   for (std::size_t i = 0; i < widths.size(); ++i) {
-    rows.push_back(fitter->Fit(points[i], widths[i], std::nullopt));
+    tasks.push_back({one.points[static_cast<std::size_t>(segment.first) + i], widths[i], std::nullopt});
   }
-  std::vector<ShadedRow> better = rows;
+  std::vector<ShadedRow> rows = fit(tasks);
+  std::vector<ShadedRowTask> again;
+  std::vector<std::size_t> cut;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto whole = rows[i].cut ? WholeRowsAround(rows, i) : std::nullopt;
-    if (whole) better[i] = fitter->Fit(points[i], widths[i], whole);
+    if (!whole) continue;
+    cut.push_back(i);
+    again.push_back({tasks[i].point, widths[i], whole});
   }
-  return better;
+  const std::vector<ShadedRow> better = fit(again);
+  for (std::size_t k = 0; k < cut.size(); ++k) rows[cut[k]] = better[k];
+  return rows;
 }
 
 // Whether the row is so dark, for a surface as bright as this, that it can only be the flank of a stripe
@@ -86,9 +92,11 @@ void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<L
     ParallelFor(context, 0, static_cast<std::int64_t>(one.segments.size()), [&](std::int64_t n) {
       const StripeSegment& segment = one.segments[static_cast<std::size_t>(n)];
       if (!segment.order) return;
-      ShadedRowFitter fitter(brightness, picture, columns, fit, options.row);
       const std::vector<double> widths = WidthsAlong(one, segment);
-      const std::vector<ShadedRow> rows = FitTwice(one, segment, widths, &fitter);
+      const std::vector<ShadedRow> rows =
+          FitTwice(one, segment, widths, [&](const std::vector<ShadedRowTask>& tasks) {
+            return FitShadedRows(tasks, brightness, picture, columns, fit, options.row);
+          });
       for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::size_t at = static_cast<std::size_t>(segment.first) + i;
         const StripePoint& measured = one.points[at];

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
@@ -19,7 +18,6 @@
 namespace dorsum {
 namespace {
 
-constexpr int kCellPx = 4;  // stripes are compared with the picture in cells of this side
 constexpr float kClippedPeak = 200.0F;
 constexpr float kWholeInside = 10.0F;  // px from the outline from where a stripe shows its own strength
 constexpr std::size_t kLeastRows = 20;
@@ -47,14 +45,14 @@ cv::Mat1f DistanceInside(const cv::Mat& mask) {
 }  // namespace
 
 SurfaceBrightness::SurfaceBrightness(const cv::Mat& green, const cv::Mat& mask, const IndexedStripes& stripes,
-                                     const SurfaceBrightnessOptions& options)
+                                     const SurfaceBrightnessOptions& options, const Context& context)
     : options_(options), part_(cv::boundingRect(mask)) {
   if (part_.empty()) return;
   inside_px_ = DistanceInside(mask(part_));
   cv::Mat1f weight;
   cv::Mat(inside_px_ > static_cast<double>(options.margin_px)).convertTo(weight, CV_32F, 1.0 / 255.0);
   level_ = SmoothLogarithm(green(part_), weight, options.smooth_px);
-  Compare(stripes);
+  Compare(stripes, context);
 }
 
 bool SurfaceBrightness::IsInside(int u, int v) const {
@@ -71,50 +69,38 @@ double SurfaceBrightness::LevelAt(double u, int v) const {
   return (1.0 - share) * static_cast<double>(level_(y, x0)) + share * static_cast<double>(level_(y, x1));
 }
 
-void SurfaceBrightness::Compare(const IndexedStripes& stripes) {
-  struct Sample {
-    int cell_x, cell_y;
-    float ratio, level;
-    bool whole;
-  };
-  const cv::Size size(part_.width / kCellPx + 1, part_.height / kCellPx + 1);
-  cell_ratio_ = cv::Mat1f(size, 0.0F);
-  cell_level_ = cv::Mat1f(size, 0.0F);
-  cell_weight_ = cv::Mat1f(size, 0.0F);
+void SurfaceBrightness::Compare(const IndexedStripes& stripes, const Context& context) {
+  std::vector<RatioSample> all;
   for (const LaserStripes& one : stripes.lasers) {
-    std::map<int, std::vector<Sample>> by_order;
+    std::map<int, std::vector<RatioSample>> by_order;
     for (const StripeSegment& s : one.segments) {
       if (!s.order) continue;
-      std::vector<Sample>& samples = by_order[*s.order];
+      std::vector<RatioSample>& samples = by_order[*s.order];
       for (std::int32_t i = s.first; i < s.first + s.count; ++i) {
         const StripePoint& p = one.points[static_cast<std::size_t>(i)];
         const cv::Point at(cvRound(p.u), cvRound(p.v));
-        if (!part_.contains(at) || p.peak >= kClippedPeak) continue;
-        const cv::Point here = at - part_.tl();
-        if (inside_px_(here) <= static_cast<float>(options_.margin_px)) continue;
+        if (p.peak >= kClippedPeak || !IsInside(at.x, at.y)) continue;
         const auto level = static_cast<float>(LevelAt(static_cast<double>(p.u), at.y));
-        samples.push_back({here.x / kCellPx, here.y / kCellPx, std::log(std::max(1.0F, p.peak)) - level,
-                           level, inside_px_(here) > kWholeInside});
+        const cv::Point here = at - part_.tl();
+        samples.push_back({static_cast<float>(here.x), static_cast<float>(here.y),
+                           std::log(std::max(1.0F, p.peak)) - level, level});
       }
     }
-    for (const auto& [order, samples] : by_order) {
+    for (auto& [order, samples] : by_order) {
       std::vector<float> whole;
-      for (const Sample& s : samples) {
-        if (s.whole) whole.push_back(s.ratio);
+      for (const RatioSample& s : samples) {
+        if (inside_px_(static_cast<int>(s.v), static_cast<int>(s.u)) > kWholeInside) whole.push_back(s.ratio);
       }
       if (whole.size() < kLeastRows) continue;
-      const float strength = Median(whole);
+      const float strength = Median(std::move(whole));
       strength_[{one.laser, order}] = static_cast<double>(strength);
-      for (const Sample& s : samples) {
-        cell_ratio_(s.cell_y, s.cell_x) += s.ratio - strength;
-        cell_level_(s.cell_y, s.cell_x) += s.level;
-        cell_weight_(s.cell_y, s.cell_x) += 1.0F;
+      for (RatioSample& s : samples) {
+        s.ratio -= strength;
+        all.push_back(s);
       }
     }
   }
-  const cv::Mat1f least_one = cv::max(cell_weight_, 1.0F);
-  cell_ratio_ /= least_one;
-  cell_level_ /= least_one;
+  ratio_ = BrightnessRatio(part_.size(), all, options_.window_px, context);
 }
 
 // Efficiencies fall from the central order outwards (§2.5), so a stripe is at least as strong as the weaker
@@ -152,33 +138,6 @@ std::optional<double> SurfaceBrightness::RatioOf(int laser, int order, const Str
   return std::log(std::max(1.0, static_cast<double>(point.peak))) - level - *strength;
 }
 
-// Local regression, drawn towards 0: speckle makes a row's peak err by a tenth or more, alike over some rows.
-SurfaceBrightness::Slope SurfaceBrightness::FitRatio(double u, double v, double level) const {
-  constexpr double kNoise = 0.04;                           // variance of a ratio, rows being alike
-  constexpr double kSlope = 0.006 * kCellPx, kShare = 0.5;  // usual sizes of the two slopes
-  const double x = (u - part_.x + 0.5) / kCellPx - 0.5, y = (v - part_.y + 0.5) / kCellPx - 0.5;
-  const double sd = options_.window_px / kCellPx, reach = 2.5 * sd;
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (int r = std::max(0, static_cast<int>(std::ceil(y - reach)));
-       r <= std::min(cell_weight_.rows - 1, static_cast<int>(y + reach)); ++r) {
-    for (int c = std::max(0, static_cast<int>(std::ceil(x - reach)));
-         c <= std::min(cell_weight_.cols - 1, static_cast<int>(x + reach)); ++c) {
-      if (cell_weight_(r, c) <= 0.0F) continue;
-      const double dx = c - x, dy = r - y;
-      const Eigen::Vector4d row(1.0, dx, dy, static_cast<double>(cell_level_(r, c)) - level);
-      const double w =
-          static_cast<double>(cell_weight_(r, c)) * std::exp(-0.5 * (dx * dx + dy * dy) / (sd * sd));
-      matrix += w * row * row.transpose();
-      right += w * static_cast<double>(cell_ratio_(r, c)) * row;
-    }
-  }
-  matrix.diagonal() += kNoise * Eigen::Vector4d(1.0, 1.0 / (kSlope * kSlope), 1.0 / (kSlope * kSlope),
-                                                1.0 / (kShare * kShare));
-  const Eigen::Vector4d solved = matrix.ldlt().solve(right);
-  return {solved[1] / kCellPx, std::max(-1.0, solved[3])};
-}
-
 std::optional<double> SurfaceBrightness::Along(double u, int v, int first, int last, float* gain) const {
   const auto inside = [&](int x) { return IsInside(x, v); };
   // The column that the others are measured against: the nearest to u that is known.
@@ -188,17 +147,17 @@ std::optional<double> SurfaceBrightness::Along(double u, int v, int first, int l
     if (next >= first && next <= last && inside(next)) middle = next;
   }
   if (!inside(middle)) {
-    std::fill(gain + first, gain + last + 1, 1.0F);
+    std::fill(gain, gain + (last + 1 - first), 1.0F);
     return std::nullopt;
   }
   const auto level = static_cast<double>(level_(v - part_.y, middle - part_.x));
-  const Slope slope = FitRatio(u, v, level);
+  const RatioSlope slope = ratio_.At(u - part_.x, v - part_.y, level);
   for (int x = first; x <= last; ++x) {
     const double change =
         inside(x) ? (1.0 + slope.of_level) * (static_cast<double>(level_(v - part_.y, x - part_.x)) - level) +
                         slope.along_u * (x - middle)
                   : 0.0;
-    gain[x] = inside(x) ? static_cast<float>(std::exp(std::clamp(change, -3.0, 3.0))) : 0.0F;
+    gain[x - first] = inside(x) ? static_cast<float>(std::exp(std::clamp(change, -3.0, 3.0))) : 0.0F;
   }
   return level;
 }

@@ -7,6 +7,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "stripes/brightness_ratio.h"
 #include "stripes/stripes.h"
 
 namespace dorsum {
@@ -27,11 +28,12 @@ class SurfaceBrightness {
   // `green`: CV_8UC1, under the LEDs; `mask`: CV_8UC1, not 0 on the object. Stripes with an order, not yet
   // pooled, are compared with the picture.
   SurfaceBrightness(const cv::Mat& green, const cv::Mat& mask, const IndexedStripes& stripes,
-                    const SurfaceBrightnessOptions& options);
+                    const SurfaceBrightnessOptions& options, const Context& context = {});
 
-  // Sets gain[x] for the columns [first, last] of row v: the brightness there over that at column u, or at
-  // the nearest that is known; 0 off the object and in its margin. Returns the natural logarithm of the
-  // brightness where gain is 1. Places where nothing is known have 1 throughout, and none is returned.
+  // Sets gain[x - first] for the columns x in [first, last] of row v: the brightness there over that at
+  // column u, or at the nearest that is known; 0 off the object and in its margin. Returns the natural
+  // logarithm of the brightness where gain is 1. Places where nothing is known have 1 throughout, and none is
+  // returned.
   std::optional<double> Along(double u, int v, int first, int last, float* gain) const;
 
   // Natural logarithm of a stripe's peak at a point over what that stripe has on a surface as bright as the
@@ -39,23 +41,18 @@ class SurfaceBrightness {
   std::optional<double> RatioOf(int laser, int order, const StripePoint& point, double width_px) const;
 
  private:
-  struct Slope {
-    double along_u = 0.0, of_level = 0.0;
-  };
-
   bool IsInside(int u, int v) const;
   double LevelAt(double u, int v) const;
   std::optional<double> StrengthOf(int laser, int order) const;
-  void Compare(const IndexedStripes& stripes);
-  Slope FitRatio(double u, double v, double level) const;
+  void Compare(const IndexedStripes& stripes, const Context& context);
 
   SurfaceBrightnessOptions options_;
   cv::Rect part_;
   cv::Mat1f level_;      // smoothed logarithm of the picture
   cv::Mat1f inside_px_;  // distance from the outline
   std::map<std::pair<int, int>, double>
-      strength_;  // by laser and order: of the peak's logarithm over the level
-  cv::Mat1f cell_ratio_, cell_level_, cell_weight_;
+      strength_;           // by laser and order: of the peak's logarithm over the level
+  BrightnessRatio ratio_;  // within the part
 };
 
 }  // namespace dorsum

@@ -18,7 +18,7 @@ TEST(SurfaceBrightness, FollowsThePicture) {
   const ShadedScene scene([](double u, double) { return std::exp(-0.01 * u); }, kObject);
   const SurfaceBrightness bright(scene.led, scene.mask, scene.Stripes(All), {});
   std::vector<float> gain(200, -1.0F);
-  bright.Along(90.0, 80, 80, 100, gain.data());
+  bright.Along(90.0, 80, 80, 100, &gain[80]);
   EXPECT_EQ(gain[79], -1.0F);
   EXPECT_EQ(gain[101], -1.0F);
   for (const int u : {80, 90, 100}) {
@@ -31,10 +31,10 @@ TEST(SurfaceBrightness, IsNothingOffTheObjectAndInItsMargin) {
   const SurfaceBrightness bright(scene.led, scene.mask, scene.Stripes([](int k) { return k > 2 && k < 7; }),
                                  {});
   std::vector<float> gain(200, -1.0F);
-  bright.Along(64.0, 80, 55, 75, gain.data());
+  bright.Along(64.0, 80, 55, 75, &gain[55]);
   for (std::size_t u = 55; u < 61; ++u) EXPECT_EQ(gain[u], 0.0F);
   for (std::size_t u = 63; u < 76; ++u) EXPECT_NEAR(gain[u], 1.0F, 0.05F);
-  bright.Along(20.0, 80, 10, 30, gain.data());  // far off the object: nothing is known
+  bright.Along(20.0, 80, 10, 30, &gain[10]);  // far off the object: nothing is known
   for (std::size_t u = 10; u < 31; ++u) EXPECT_EQ(gain[u], 1.0F);
 }
 
@@ -53,8 +53,8 @@ TEST(SurfaceBrightness, AShadowThatTheStripesDoNotShowIsNone) {
   const SurfaceBrightness with(scene.led, scene.mask, scene.Stripes(All), {});
   const SurfaceBrightness without(scene.led, scene.mask, stripes, {});
   std::vector<float> shadow(200), fooled(200);
-  with.Along(90.3, 61, 84, 96, shadow.data());  // where the shadow's edge crosses a stripe
-  without.Along(90.3, 61, 84, 96, fooled.data());
+  with.Along(90.3, 61, 84, 96, &shadow[84]);  // where the shadow's edge crosses a stripe
+  without.Along(90.3, 61, 84, 96, &fooled[84]);
   EXPECT_LT(fooled[96] / fooled[84], 0.65F);
   EXPECT_GT(shadow[96] / shadow[84], 0.68F);  // one laser alone shows it here
 }
@@ -78,7 +78,7 @@ TEST(SurfaceBrightness, NoObjectIsNoHarm) {
   const cv::Mat black(40, 40, CV_8UC1, cv::Scalar(0));
   const SurfaceBrightness bright(black, black, {}, {});
   std::vector<float> gain(40, -1.0F);
-  bright.Along(20.0, 20, 10, 30, gain.data());
+  bright.Along(20.0, 20, 10, 30, &gain[10]);
   EXPECT_EQ(gain[20], 1.0F);
 }
 

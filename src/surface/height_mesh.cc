@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <nanoflann.hpp>
 
 namespace dorsum {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr double kCellMm = 1.0;  // about as far as a point is from the nearest vertex
 
 // The three grid corners of a triangle, as (column, row).
 using Corners = std::array<cv::Point, 3>;
@@ -28,16 +28,65 @@ bool IsSurface(const cv::Mat1f& z, const Corners& corners, double max_step) {
   return high - low <= max_step;
 }
 
-struct MeshAdaptor {
-  const std::vector<Eigen::Vector3d>& vertices;
-  std::size_t kdtree_get_point_count() const { return vertices.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t d) const {
-    return vertices[i][static_cast<Eigen::Index>(d)];
+// Vertices in square cells of the backplane, to find the nearest of one.
+class VertexCells {
+ public:
+  VertexCells(const std::vector<Eigen::Vector3d>& vertices, double cell_mm)
+      : vertices_(vertices), cell_mm_(cell_mm), low_(vertices[0].head<2>()) {
+    Eigen::Vector2d high = low_;
+    for (const Eigen::Vector3d& p : vertices) {
+      low_ = low_.cwiseMin(p.head<2>());
+      high = high.cwiseMax(p.head<2>());
+    }
+    cols_ = Cell(high.x() - low_.x()) + 1;
+    rows_ = Cell(high.y() - low_.y()) + 1;
+    begin_.assign(static_cast<std::size_t>(cols_ * rows_) + 1, 0);
+    for (const Eigen::Vector3d& p : vertices) ++begin_[At(p) + 1];
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    sorted_.resize(vertices.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      sorted_[next[At(vertices[i])]++] = static_cast<std::uint32_t>(i);
   }
-  template <class Box>
-  bool kdtree_get_bbox(Box& /*box*/) const {
-    return false;
+
+  // kNone if the nearest is further away than that.
+  std::uint32_t Nearest(const Eigen::Vector3d& p, double max_distance_mm) const {
+    std::uint32_t nearest = kNone;
+    double square = max_distance_mm * max_distance_mm;
+    const long c = Cell(p.x() - low_.x()), r = Cell(p.y() - low_.y());
+    const long rings = Cell(max_distance_mm) + 1;
+    // What lies in a ring of cells around the place's own is at least so many cells, less one, away.
+    for (long ring = 0; ring <= rings; ++ring) {
+      const double least = std::max(0.0, static_cast<double>(ring - 1)) * cell_mm_;
+      if (least * least > square) break;
+      for (long y = std::max(0L, r - ring); y <= std::min(rows_ - 1, r + ring); ++y) {
+        const long step = y == r - ring || y == r + ring ? 1 : std::max(1L, 2 * ring);
+        for (long x = c - ring; x <= c + ring; x += step) {
+          if (x < 0 || x >= cols_) continue;
+          const auto cell = static_cast<std::size_t>(y * cols_ + x);
+          for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+            const double d = (vertices_[sorted_[i]] - p).squaredNorm();
+            if (d > square || (d == square && nearest != kNone)) continue;
+            square = d;
+            nearest = sorted_[i];
+          }
+        }
+      }
+    }
+    return nearest;
   }
+
+ private:
+  long Cell(double mm) const { return static_cast<long>(std::floor(mm / cell_mm_)); }
+  std::size_t At(const Eigen::Vector3d& p) const {
+    return static_cast<std::size_t>(Cell(p.y() - low_.y()) * cols_ + Cell(p.x() - low_.x()));
+  }
+
+  const std::vector<Eigen::Vector3d>& vertices_;
+  double cell_mm_;
+  Eigen::Vector2d low_;
+  long cols_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> begin_, sorted_;  // of each cell in `sorted_`; numbers of vertices
 };
 
 void ComputeNormals(TriangleMesh* mesh) {
@@ -80,18 +129,10 @@ TriangleMesh MeshHeightField(const HeightField& field, double max_slope_deg) {
 
 void AssignNormals(const TriangleMesh& mesh, double max_distance_mm, SurfacePoints* points) {
   if (mesh.vertices.empty()) return;
-  using Tree =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, MeshAdaptor>, MeshAdaptor, 3>;
-  const MeshAdaptor adaptor{mesh.vertices};
-  Tree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(16));
-  tree.buildIndex();
+  const VertexCells cells(mesh.vertices, kCellMm);
   for (SurfacePoint& p : *points) {
-    std::size_t nearest = 0;
-    double square = std::numeric_limits<double>::max();
-    nanoflann::KNNResultSet<double> result(1);
-    result.init(&nearest, &square);
-    tree.findNeighbors(result, p.position.data(), nanoflann::SearchParams());
-    if (square <= max_distance_mm * max_distance_mm) p.normal = mesh.normals[nearest];
+    const std::uint32_t nearest = cells.Nearest(p.position, max_distance_mm);
+    if (nearest != kNone) p.normal = mesh.normals[nearest];
   }
 }
 

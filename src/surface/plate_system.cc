@@ -70,8 +70,8 @@ void PlateSystem::AddSamples(const std::vector<PlateSample>& samples, const Plat
     if (!at) continue;
     const std::size_t i = At(at->c, at->r), below = i + cols_;
     const std::array<std::size_t, 4> corners = {i, i + 1, below, below + 1};
-    const std::array<float, 4> a = {(1 - at->fc) * (1 - at->fr), at->fc * (1 - at->fr),
-                                    (1 - at->fc) * at->fr, at->fc * at->fr};
+    const std::array<float, 4> a = {(1 - at->fc) * (1 - at->fr), at->fc * (1 - at->fr), (1 - at->fc) * at->fr,
+                                    at->fc * at->fr};
     Add<4>(corners, a, {kEast, kSouth, kSouthEast, kSouthWest, kSouth, kEast}, p.weight);
     for (std::size_t k = 0; k < 4; ++k) right[corners[k]] += p.weight * a[k] * p.z;
   }

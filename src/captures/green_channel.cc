@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "captures/green_channel.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "base/simd.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "captures/green_channel.cc"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace dorsum::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+void TakeGreenOfRow(const std::uint8_t* bgr, std::size_t count, std::uint8_t* green) {
+  const hn::ScalableTag<std::uint8_t> d;
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    auto b = hn::Zero(d), g = b, r = b;
+    hn::LoadInterleaved3(d, bgr + 3 * i, b, g, r);
+    hn::StoreU(g, d, green + i);
+  }
+  for (; i < count; ++i) green[i] = bgr[3 * i + 1];
+}
+
+void TakeGreen(const cv::Mat& bgr, cv::Mat* green) {
+  for (int v = 0; v < bgr.rows; ++v) {
+    TakeGreenOfRow(bgr.ptr<std::uint8_t>(v), static_cast<std::size_t>(bgr.cols), green->ptr<std::uint8_t>(v));
+  }
+}
+
+}  // namespace dorsum::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dorsum {
+
+HWY_EXPORT(TakeGreen);
+
+cv::Mat GreenChannel(const cv::Mat& bgr) {
+  if (bgr.type() != CV_8UC3) throw std::logic_error("GreenChannel: a CV_8UC3 picture is needed");
+  cv::Mat green(bgr.size(), CV_8UC1);
+  HWY_DYNAMIC_DISPATCH(TakeGreen)(bgr, &green);
+  return green;
+}
+
+}  // namespace dorsum
+#endif

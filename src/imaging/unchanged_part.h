@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace dorsum {
+
+// The picture under the LEDs beside that of the empty backplane, in squares of a few pixels, whose mean has
+// little noise. Both CV_8UC3 of one size.
+class UnchangedPart {
+ public:
+  UnchangedPart(const cv::Mat& background, const cv::Mat& hand);
+
+  // CV_8UC1 of the pictures' size: 255 where the light is what it was, but for this share of it; 0 in the
+  // last columns and rows that fill no square.
+  cv::Mat Mask(double share) const;
+
+ private:
+  cv::Size size_;
+  cv::Mat before_, difference_;
+};
+
+}  // namespace dorsum
