@@ -51,7 +51,7 @@ std::vector<double> HeightsOf(const std::vector<Sighting>& sightings, const Devi
     stripes.lasers.push_back(std::move(one));
   }
   std::vector<double> heights(sightings.size(), kNan);
-  for (const SurfacePoint& p : Triangulate(stripes, device, options, context).points) {
+  for (const SurfacePoint& p : Triangulate(stripes, DeviceOrders(device), options, context).points) {
     heights[by_laser[p.laser][static_cast<std::size_t>(p.segment)]] = p.position.z();
   }
   return heights;

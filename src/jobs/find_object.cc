@@ -69,18 +69,19 @@ std::vector<PictureStripes> FindAllStripes(const CaptureImages& capture, const c
 }
 
 // Orders for the object's stripes, and what lies on the backplane beside it.
-FoundObject Index(std::vector<LaserStripes> stripes, const DeviceGeometry& device,
+FoundObject Index(std::vector<LaserStripes> stripes, const DeviceOrders& orders,
                   const ReconstructOptions& options, const Context& context) {
   const SheetModel model = options.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane;
   FoundObject out;
   if (options.indexing == "joint") {
     ObjectSplit split =
-        SplitByHeight(IndexJointly(std::move(stripes), device, options.joint_indexing, context), device,
-                      options.object_split);
+        SplitByHeight(IndexJointly(std::move(stripes), orders, options.joint_indexing, context), orders,
+                      options.object_split, context);
     out.stripes = std::move(split.object);
     out.backplane = std::move(split.backplane);
     return out;
   }
+  const DeviceGeometry& device = orders.device();
   std::vector<LaserStripes> object;
   for (BackplaneSplit& split :
        SplitBackplane(stripes, device, options.segments.min_rows, options.backplane)) {
@@ -102,10 +103,10 @@ Status CheckLight(const UnchangedPart& unchanged) {
 }
 
 Status CheckDevice(const std::vector<LaserStripes>& stripes, const UnchangedPart& unchanged,
-                   const DeviceGeometry& device) {
+                   const DeviceOrders& orders) {
   std::string moved;
   double shift = 0.0;
-  for (const BackplaneCheck& check : CheckBackplane(stripes, device, unchanged.Mask(0.06), {})) {
+  for (const BackplaneCheck& check : CheckBackplane(stripes, orders, unchanged.Mask(0.06), {})) {
     if (!check.moved) continue;
     moved += (moved.empty() ? "" : ", ") + std::to_string(check.laser);
     shift = std::max(shift, check.shift_px);
@@ -148,7 +149,7 @@ Result<HandMask> MaskFromSeeds(const CaptureImages& capture, const cv::Mat& back
 }  // namespace
 
 Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& background,
-                               const DeviceGeometry& device, const ReconstructOptions& options,
+                               const DeviceOrders& orders, const ReconstructOptions& options,
                                const Context& context) {
   const bool robust = options.mask == "robust", ridges = options.stripes == "ridge";
   context.Report("mask", 0.0);
@@ -165,14 +166,14 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   context.Report("stripes", 0.2);
   std::vector<LaserStripes> stripes;
   std::map<int, NoiseModel> noise;
-  for (PictureStripes& one : FindAllStripes(capture, picture.mask, device, options, context)) {
+  for (PictureStripes& one : FindAllStripes(capture, picture.mask, orders.device(), options, context)) {
     noise[one.stripes.laser] = one.noise;
     stripes.push_back(std::move(one.stripes));
   }
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("indexing", 0.5);
-  if (robust) DORSUM_RETURN_IF_ERROR(CheckDevice(stripes, *unchanged, device));
-  FoundObject out = Index(std::move(stripes), device, options, context);
+  if (robust) DORSUM_RETURN_IF_ERROR(CheckDevice(stripes, *unchanged, orders));
+  FoundObject out = Index(std::move(stripes), orders, options, context);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (robust) {
     DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, options, context));

@@ -26,7 +26,7 @@ struct FoundObject {
 // the empty backplane, CV_8UC3. `options` are resolved (ResolveStages). An error when the picture shows no
 // object, or when the stripes on the backplane do not lie where the calibration has them.
 Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& background,
-                               const DeviceGeometry& device, const ReconstructOptions& options,
+                               const DeviceOrders& orders, const ReconstructOptions& options,
                                const Context& context);
 
 }  // namespace dorsum

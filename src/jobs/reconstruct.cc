@@ -74,6 +74,7 @@ Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::
   const cv::Size size(calibration.device.camera.width, calibration.device.camera.height);
   DORSUM_ASSIGN_OR_RETURN(ready.background,
                           DecodeImage(calibration.background, where + ": the background image", size));
+  ready.orders = std::make_shared<const DeviceOrders>(calibration.device);
   ready.calibration = std::move(calibration);
   return ready;
 }
@@ -88,7 +89,7 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   Reconstruction out;
   out.warnings = capture.warnings;
   DORSUM_ASSIGN_OR_RETURN(FoundObject found,
-                          FindObject(capture, ready.background, device, resolved, context));
+                          FindObject(capture, ready.background, *ready.orders, resolved, context));
   out.mask = std::move(found.mask);
   out.stripes = std::move(found.stripes);
   if (resolved.indexing == "joint") DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, capture.hand, device));
@@ -102,7 +103,7 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("surface", 0.6);
   Triangulation triangulation =
-      Triangulate(out.stripes, device,
+      Triangulate(out.stripes, *ready.orders,
                   {.sheets = resolved.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane,
                    .correction = resolved.correction == "polynomial"},
                   context);

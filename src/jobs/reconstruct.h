@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,11 @@ struct Reconstruction {
   std::vector<std::string> warnings;
 };
 
-// A calibration with its background image decoded, ready for many captures.
+// A calibration with its background image decoded and its orders laid out, ready for many captures.
 struct ReadyCalibration {
   Calibration calibration;
   cv::Mat background;  // BGR
+  std::shared_ptr<const DeviceOrders> orders;
 };
 Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::string& where);
 

@@ -12,22 +12,22 @@ namespace dorsum {
 namespace {
 
 // Distance along u from the nearest stripe of the empty backplane, px; positive to the right of it.
-std::optional<double> ShiftOf(const StripePoint& p, const Camera& camera, const LaserGeometry& laser) {
-  const SheetModel model = laser.fan ? SheetModel::kCone : SheetModel::kPlane;
-  const auto here = OrderAtHeight(camera, laser, model, {p.u, p.v}, 0.0);
-  const auto beside = OrderAtHeight(camera, laser, model, {p.u + 1.0F, p.v}, 0.0);
-  if (!here || !beside || *here == *beside) return std::nullopt;
-  return (*here - std::round(*here)) / (*beside - *here);
+std::optional<double> ShiftOf(const StripePoint& p, const DeviceOrders& orders, int laser) {
+  const auto u = static_cast<double>(p.u), v = static_cast<double>(p.v);
+  const auto here = orders.At(laser, u, v), beside = orders.At(laser, u + 1.0, v);
+  if (!here || !beside) return std::nullopt;
+  const double order = here->OrderAt(0.0), next = beside->OrderAt(0.0);
+  if (order == next) return std::nullopt;
+  return (order - std::round(order)) / (next - order);
 }
 
-std::vector<double> Shifts(const LaserStripes& stripes, const Camera& camera, const LaserGeometry& laser,
-                           const cv::Mat& empty) {
+std::vector<double> Shifts(const LaserStripes& stripes, const DeviceOrders& orders, const cv::Mat& empty) {
   std::vector<double> shifts;
   const cv::Rect picture({}, empty.size());
   for (const StripePoint& p : stripes.points) {
     const cv::Point at(cvRound(p.u), cvRound(p.v));
     if (at.y % 4 != 0 || !picture.contains(at) || empty.at<std::uint8_t>(at) == 0) continue;
-    if (const auto shift = ShiftOf(p, camera, laser)) shifts.push_back(*shift);
+    if (const auto shift = ShiftOf(p, orders, stripes.laser)) shifts.push_back(*shift);
   }
   std::sort(shifts.begin(), shifts.end());
   return shifts;
@@ -46,15 +46,14 @@ std::pair<std::size_t, std::size_t> Densest(const std::vector<double>& sorted, d
 }  // namespace
 
 std::vector<BackplaneCheck> CheckBackplane(const std::vector<LaserStripes>& stripes,
-                                           const DeviceGeometry& device, const cv::Mat& empty,
+                                           const DeviceOrders& orders, const cv::Mat& empty,
                                            const BackplaneCheckOptions& options) {
   std::vector<BackplaneCheck> checks;
   for (const LaserStripes& one : stripes) {
-    const LaserGeometry* laser = device.FindLaser(one.laser);
-    if (laser == nullptr) continue;
+    if (orders.device().FindLaser(one.laser) == nullptr) continue;
     BackplaneCheck& check = checks.emplace_back();
     check.laser = one.laser;
-    const std::vector<double> shifts = Shifts(one, device.camera, *laser, empty);
+    const std::vector<double> shifts = Shifts(one, orders, empty);
     check.points = static_cast<int>(shifts.size());
     const auto [first, last] = Densest(shifts, options.near_px);
     const auto shared = static_cast<double>(last - first);

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "geometry/calibration.h"
+#include "stripes/device_orders.h"
 #include "stripes/stripes.h"
 
 namespace dorsum {
@@ -31,7 +31,7 @@ struct BackplaneCheck {
 // same. So the shift that most points share is looked for. `stripes` need no orders. One entry per laser of
 // `stripes` that `device` knows.
 std::vector<BackplaneCheck> CheckBackplane(const std::vector<LaserStripes>& stripes,
-                                           const DeviceGeometry& device, const cv::Mat& empty,
+                                           const DeviceOrders& orders, const cv::Mat& empty,
                                            const BackplaneCheckOptions& options);
 
 }  // namespace dorsum

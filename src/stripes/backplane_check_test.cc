@@ -51,7 +51,7 @@ std::vector<LaserStripes> Stripes(double shift_px, int from, int to) {
 
 BackplaneCheck Check(double shift_px, int from = 0, int to = 0) {
   const cv::Mat everywhere(600, 800, CV_8UC1, cv::Scalar(255));
-  const auto checks = CheckBackplane(Stripes(shift_px, from, to), Device(), everywhere, {});
+  const auto checks = CheckBackplane(Stripes(shift_px, from, to), DeviceOrders(Device()), everywhere, {});
   EXPECT_EQ(checks.size(), 1U);
   return checks.empty() ? BackplaneCheck{} : checks[0];
 }
@@ -73,7 +73,7 @@ TEST(BackplaneCheckTest, AKnockIsNoticedBesideAnObject) {
 
 TEST(BackplaneCheckTest, NothingIsSaidOfAPictureWithoutBackplane) {
   const cv::Mat nowhere(600, 800, CV_8UC1, cv::Scalar(0));
-  const auto checks = CheckBackplane(Stripes(5.0, 0, 0), Device(), nowhere, {});
+  const auto checks = CheckBackplane(Stripes(5.0, 0, 0), DeviceOrders(Device()), nowhere, {});
   ASSERT_EQ(checks.size(), 1U);
   EXPECT_FALSE(checks[0].moved);
   EXPECT_EQ(checks[0].points, 0);

@@ -70,10 +70,11 @@ void ReplaceSegments(const std::vector<JointPiece>& pieces, const std::vector<st
 
 }  // namespace
 
-IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceGeometry& device,
+IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceOrders& device_orders,
                             const JointIndexingOptions& options, const Context& context) {
+  const DeviceGeometry& device = device_orders.device();
   std::erase_if(stripes, [&](const LaserStripes& s) { return device.FindLaser(s.laser) == nullptr; });
-  const std::vector<JointPiece> pieces = CutPieces(stripes, device, options.pieces, context);
+  const std::vector<JointPiece> pieces = CutPieces(stripes, device_orders, options.pieces, context);
   const JointGraph graph = BuildJointGraph(pieces, options.pieces.sample_rows, device.min_height_mm,
                                            device.max_height_mm, options.graph);
   const JointLabels labels = InferLabels(pieces, graph, options.inference);

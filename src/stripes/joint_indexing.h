@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/context.h"
-#include "geometry/calibration.h"
+#include "stripes/device_orders.h"
 #include "stripes/joint_graph.h"
 #include "stripes/joint_inference.h"
 #include "stripes/joint_pieces.h"
@@ -31,7 +31,7 @@ struct JointIndexingOptions {
 // Segments are parted where they run from one surface to another. A part whose order stays ambiguous has
 // none, and is counted in diagnostics.left_out; diagnostics.corrections stays 0. Lasers that `device` does
 // not know are left out.
-IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceGeometry& device,
+IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceOrders& device_orders,
                             const JointIndexingOptions& options, const Context& context);
 
 }  // namespace dorsum

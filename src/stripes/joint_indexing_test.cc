@@ -44,7 +44,7 @@ TEST(JointIndexing, TellsASurfaceHigherThanOneOrdersStepFromItsAliases) {
   for (const double height : {12.0, 33.0, 66.0}) {
     const std::vector<TrueStripes> truth = {DrawTable(device, 0, {height}, true),
                                             DrawTable(device, 1, {height}, true)};
-    const Outcome out = Compare(truth, IndexJointly(Stripes(truth), device, {}, {}));
+    const Outcome out = Compare(truth, IndexJointly(Stripes(truth), DeviceOrders(device), {}, {}));
     EXPECT_GT(out.points, 5000) << height;
     EXPECT_EQ(out.wrong, 0) << height;
     EXPECT_GT(out.right, 0.98 * out.points) << height;
@@ -55,7 +55,7 @@ TEST(JointIndexing, NeedsNoBackplaneWhereTwoLasersInterleave) {
   const DeviceGeometry device = FanDevice(2);
   const std::vector<TrueStripes> truth = {DrawTable(device, 0, {40.0}, false),
                                           DrawTable(device, 1, {40.0}, false)};
-  const Outcome out = Compare(truth, IndexJointly(Stripes(truth), device, {}, {}));
+  const Outcome out = Compare(truth, IndexJointly(Stripes(truth), DeviceOrders(device), {}, {}));
   EXPECT_EQ(out.wrong, 0);
   EXPECT_EQ(out.right, out.points);
 }
@@ -63,7 +63,7 @@ TEST(JointIndexing, NeedsNoBackplaneWhereTwoLasersInterleave) {
 TEST(JointIndexing, LeavesAPlateThatOneLaserCannotPlaceOut) {
   const DeviceGeometry device = FanDevice(1);
   const std::vector<TrueStripes> truth = {DrawTable(device, 0, {40.0}, false)};
-  const IndexedStripes indexed = IndexJointly(Stripes(truth), device, {}, {});
+  const IndexedStripes indexed = IndexJointly(Stripes(truth), DeviceOrders(device), {}, {});
   EXPECT_EQ(Compare(truth, indexed).wrong, 0);
   ASSERT_EQ(indexed.diagnostics.size(), 1U);
   EXPECT_EQ(indexed.diagnostics[0].left_out, indexed.diagnostics[0].segments);
@@ -75,7 +75,7 @@ TEST(JointIndexing, LeavesLasersOutThatTheDeviceDoesNotKnow) {
   std::vector<LaserStripes> stripes(2);
   stripes[0].laser = 5;
   stripes[1].laser = 0;
-  const IndexedStripes indexed = IndexJointly(stripes, device, {}, {});
+  const IndexedStripes indexed = IndexJointly(stripes, DeviceOrders(device), {}, {});
   ASSERT_EQ(indexed.lasers.size(), 1U);
   EXPECT_EQ(indexed.lasers[0].laser, 0);
   EXPECT_TRUE(indexed.lasers[0].segments.empty());
@@ -88,8 +88,8 @@ TEST(JointIndexing, GivesTheSameAtAnyNumberOfThreads) {
   Context one, four;
   one.threads = 1;
   four.threads = 4;
-  const IndexedStripes a = IndexJointly(Stripes(truth), device, {}, one),
-                       b = IndexJointly(Stripes(truth), device, {}, four);
+  const IndexedStripes a = IndexJointly(Stripes(truth), DeviceOrders(device), {}, one),
+                       b = IndexJointly(Stripes(truth), DeviceOrders(device), {}, four);
   for (std::size_t l = 0; l < 2; ++l) {
     ASSERT_EQ(a.lasers[l].segments.size(), b.lasers[l].segments.size());
     for (std::size_t s = 0; s < a.lasers[l].segments.size(); ++s) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "stripes/ray_orders.h"
 
 namespace dorsum {
 namespace {
@@ -100,14 +99,14 @@ struct OrderLimits {
 
 // The orders that can be seen within the working volume. Where the picture's border cuts the comb of the
 // empty backplane, orders beyond those seen there come into view higher up.
-OrderLimits OrdersInView(const DeviceGeometry& device, const LaserGeometry& laser) {
+OrderLimits OrdersInView(const DeviceOrders& orders, const LaserGeometry& laser) {
+  const DeviceGeometry& device = orders.device();
   const Camera& camera = device.camera;
   OrderLimits limits{laser.min_order, laser.max_order};
   for (const double u : {0.0, camera.width - 1.0}) {
-    const RayOrders ray(camera, laser, static_cast<float>(u), 0.5F * static_cast<float>(camera.height),
-                        device.min_height_mm, device.max_height_mm);
-    if (!ray.valid()) continue;
-    const double ground = ray.OrderAtLow(), top = ray.OrderAtHigh();
+    const auto ray = orders.At(laser.laser, u, 0.5 * camera.height);
+    if (!ray) continue;
+    const double ground = ray->OrderAt(device.min_height_mm), top = ray->OrderAt(device.max_height_mm);
     if (ground < limits.first && ground > laser.min_order - 1.0) {
       limits.first = static_cast<int>(std::floor(std::min(ground, top)));
     }
@@ -118,8 +117,9 @@ OrderLimits OrdersInView(const DeviceGeometry& device, const LaserGeometry& lase
   return limits;
 }
 
-void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, const LaserGeometry& laser,
+void FillHeights(const LaserStripes& stripes, const DeviceOrders& orders, const LaserGeometry& laser,
                  const JointPieceOptions& options, JointPiece* piece) {
+  const DeviceGeometry& device = orders.device();
   const Eigen::Vector3d centre = device.camera.Center();
   const double low = device.min_height_mm - options.slack_mm, high = device.max_height_mm + options.slack_mm;
   std::vector<const StripePoint*> at;
@@ -131,22 +131,21 @@ void FillHeights(const LaserStripes& stripes, const DeviceGeometry& device, cons
     if (!only && (piece->count < options.sample_rows || std::lround(p.v) % options.sample_rows != 0)) {
       continue;
     }
-    const RayOrders ray(device.camera, laser, p.u, p.v, low, high);
-    if (!ray.valid()) continue;
+    const auto ray = orders.At(laser.laser, static_cast<double>(p.u), static_cast<double>(p.v));
+    if (!ray) continue;
     at.push_back(&p);
-    rays.push_back(ray);
+    rays.push_back(*ray);
   }
   if (rays.empty()) return;
   int first = std::numeric_limits<int>::max(), last = std::numeric_limits<int>::min();
   double direction = 0.0;
   for (const RayOrders& ray : rays) {
-    const double a = std::min(ray.OrderAtLow(), ray.OrderAtHigh()),
-                 b = std::max(ray.OrderAtLow(), ray.OrderAtHigh());
-    first = std::min(first, static_cast<int>(std::ceil(a)));
-    last = std::max(last, static_cast<int>(std::floor(b)));
-    direction += ray.OrderAtHigh() - ray.OrderAtLow();
+    const double ground = ray.OrderAt(low), top = ray.OrderAt(high);
+    first = std::min(first, static_cast<int>(std::ceil(std::min(ground, top))));
+    last = std::max(last, static_cast<int>(std::floor(std::max(ground, top))));
+    direction += top - ground;
   }
-  const OrderLimits limits = OrdersInView(device, laser);
+  const OrderLimits limits = OrdersInView(orders, laser);
   first = std::max(first, limits.first);
   last = std::min(last, limits.last);
   if (first > last) return;
@@ -217,8 +216,9 @@ std::optional<int> JointPiece::Candidate(int order) const {
   return k;
 }
 
-std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, const DeviceGeometry& device,
+std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, const DeviceOrders& orders,
                                   const JointPieceOptions& options, const Context& context) {
+  const DeviceGeometry& device = orders.device();
   std::vector<JointPiece> pieces;
   for (std::size_t l = 0; l < stripes.size(); ++l) {
     const LaserGeometry* laser = device.FindLaser(stripes[l].laser);
@@ -240,7 +240,7 @@ std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, cons
   ParallelFor(context, 0, static_cast<std::int64_t>(pieces.size()), [&](std::int64_t i) {
     JointPiece& piece = pieces[static_cast<std::size_t>(i)];
     const LaserStripes& own = stripes[static_cast<std::size_t>(piece.laser)];
-    FillHeights(own, device, *device.FindLaser(own.laser), options, &piece);
+    FillHeights(own, orders, *device.FindLaser(own.laser), options, &piece);
   });
   std::vector<JointPiece> out;
   for (JointPiece& piece : pieces) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/context.h"
-#include "geometry/calibration.h"
+#include "stripes/device_orders.h"
 #include "stripes/stripes.h"
 
 namespace dorsum {
@@ -50,7 +50,7 @@ struct JointPiece {
 // the pixel's ray fixed, 1 / (H - z) grows by an almost constant step from one order to the next, so three
 // heights of equation `OrderAtHeight` give all. A laser that `device` does not know, or whose model it does
 // not hold, gets no pieces. Pieces come by laser, segment and row.
-std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, const DeviceGeometry& device,
+std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, const DeviceOrders& orders,
                                   const JointPieceOptions& options, const Context& context);
 
 }  // namespace dorsum

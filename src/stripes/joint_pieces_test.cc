@@ -15,7 +15,7 @@ std::vector<JointPiece> Cut(const std::function<double(int row)>& column) {
   const DeviceGeometry device = FanDevice(1);
   std::vector<LaserStripes> stripes(1);
   AddStripe(&stripes[0], 100, 300, column);
-  return CutPieces(stripes, device, {}, {});
+  return CutPieces(stripes, DeviceOrders(device), {}, {});
 }
 
 bool BeginsNear(const std::vector<JointPiece>& pieces, int point, int slack) {

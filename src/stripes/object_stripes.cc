@@ -8,7 +8,6 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
-#include "stripes/ray_orders.h"
 
 namespace dorsum {
 namespace {
@@ -16,18 +15,15 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // Height of every point of a laser, mm; NaN without an order or a sheet.
-std::vector<float> Heights(const LaserStripes& stripes, const DeviceGeometry& device,
-                           const Context& context) {
+std::vector<float> Heights(const LaserStripes& stripes, const DeviceOrders& orders, const Context& context) {
   std::vector<float> z(stripes.points.size(), kNan);
-  const LaserGeometry* laser = device.FindLaser(stripes.laser);
-  if (laser == nullptr) return z;
   ParallelFor(context, 0, static_cast<std::int64_t>(stripes.segments.size()), [&](std::int64_t s) {
     const StripeSegment& segment = stripes.segments[static_cast<std::size_t>(s)];
     if (!segment.order) return;
     for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
       const StripePoint& p = stripes.points[static_cast<std::size_t>(i)];
-      const RayOrders ray(device.camera, *laser, p.u, p.v, device.min_height_mm, device.max_height_mm);
-      if (ray.valid()) z[static_cast<std::size_t>(i)] = static_cast<float>(ray.HeightOf(*segment.order));
+      const auto ray = orders.At(stripes.laser, static_cast<double>(p.u), static_cast<double>(p.v));
+      if (ray) z[static_cast<std::size_t>(i)] = static_cast<float>(ray->HeightOf(*segment.order));
     }
   });
   return z;
@@ -150,12 +146,12 @@ void AppendSegment(const LaserStripes& from, const StripeSegment& segment, std::
 
 }  // namespace
 
-ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceGeometry& device,
+ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& orders,
                           const ObjectSplitOptions& options, const Context& context) {
   ObjectSplit out;
   std::vector<std::vector<float>> heights;
   heights.reserve(stripes.lasers.size());
-  for (const LaserStripes& one : stripes.lasers) heights.push_back(Heights(one, device, context));
+  for (const LaserStripes& one : stripes.lasers) heights.push_back(Heights(one, orders, context));
   out.backplane_sd_mm = BackplaneDeviation(stripes, heights, options.min_height_mm);
   out.threshold_mm = std::max(options.min_height_mm, options.noise_factor * out.backplane_sd_mm);
   out.object.diagnostics = stripes.diagnostics;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/context.h"
-#include "geometry/calibration.h"
+#include "stripes/device_orders.h"
 #include "stripes/stripes.h"
 
 namespace dorsum {
@@ -34,7 +34,7 @@ struct ObjectSplit {
 
 // Tells the object's stripes from the backplane's by their heights, whole runs of rows at a time. Segments
 // without an order are in neither.
-ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceGeometry& device,
+ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& orders,
                           const ObjectSplitOptions& options, const Context& context = {});
 
 }  // namespace dorsum

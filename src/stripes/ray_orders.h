@@ -2,30 +2,34 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "geometry/calibration.h"
 
 namespace dorsum {
 
-// The diffraction order along one pixel's ray, between two heights, as a parabola in 1 / (H - z), H the
-// camera's height: with a camera and a laser equally high, the order is linear in it. Three times
-// OrderAtHeight() thus gives the heights of all orders to some micrometres, far quicker than IntersectSheet()
-// for each. Cone sheets where the laser has them, else planes.
+// The diffraction order along one pixel's ray, between two heights, as a cubic in 1 / (H - z), H the camera's
+// height: with a camera and a laser equally high, the order is linear in it. Four times OrderAtHeight() thus
+// gives the heights of all orders to a tenth of a micrometre or so, far quicker than IntersectSheet() for
+// each. Cone sheets where the laser has them, else planes.
 class RayOrders {
  public:
-  RayOrders(const Camera& camera, const LaserGeometry& laser, double u, double v, double low_mm,
-            double high_mm);
+  static constexpr std::size_t kHeights = 4;
+  using Orders = std::array<double, kHeights>;  // at heights evenly spread from the lowest to the highest
 
-  // Whether the ray meets the laser's sheets at these heights; the rest holds only then.
-  bool valid() const { return valid_; }
-  double OrderAtLow() const { return order_[0]; }
-  double OrderAtHigh() const { return order_[2]; }
+  // None where the ray does not meet the laser's sheets at these heights.
+  static std::optional<Orders> Sample(const Camera& camera, const LaserGeometry& laser, double u, double v,
+                                      double low_mm, double high_mm);
+
+  RayOrders(double camera_height_mm, double low_mm, double high_mm, const Orders& orders);
+
+  double OrderAt(double height_mm) const;
   double HeightOf(double order) const;  // mm
 
  private:
-  double camera_height_ = 0.0, slope_ = 0.0, curve_ = 0.0;
-  std::array<double, 3> order_{}, w_{};
-  bool valid_ = false;
+  double camera_height_;
+  std::array<double, kHeights> w_;             // 1 / (H - z)
+  std::array<double, kHeights> coefficients_;  // of Newton's form
 };
 
 }  // namespace dorsum

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stripes/ray_orders.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "geometry/plane_device_test.h"
@@ -9,19 +12,29 @@
 namespace dorsum {
 namespace {
 
+constexpr double kLow = -3.0, kHigh = 83.0;
+
+RayOrders Along(const DeviceGeometry& device, double u, double v) {
+  return {device.camera.Center().z(), kLow, kHigh,
+          RayOrders::Sample(device.camera, device.lasers[0], u, v, kLow, kHigh).value()};
+}
+
+// Orders whose sheets the ray meets between the heights.
+std::pair<int, int> Seen(const RayOrders& ray) {
+  const auto [low, high] = std::minmax({ray.OrderAt(kLow), ray.OrderAt(kHigh)});
+  return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
+}
+
 TEST(RayOrders, GivesTheHeightsThatTheSheetsGive) {
   const DeviceGeometry device = FanDevice(1);
-  const LaserGeometry& laser = device.lasers[0];
   for (const double u : {50.0, 400.0, 750.0}) {
     for (const double v : {20.0, 300.0, 580.0}) {
-      const RayOrders ray(device.camera, laser, u, v, -3.0, 83.0);
-      ASSERT_TRUE(ray.valid());
-      const auto [low, high] = std::pair(std::min(ray.OrderAtLow(), ray.OrderAtHigh()),
-                                         std::max(ray.OrderAtLow(), ray.OrderAtHigh()));
-      for (int m = static_cast<int>(std::ceil(low)); m <= high; ++m) {
-        const auto p = IntersectSheet(CastRay(device.camera, {u, v}), laser, SheetModel::kCone, m);
+      const RayOrders ray = Along(device, u, v);
+      const auto [first, last] = Seen(ray);
+      for (int m = first; m <= last; ++m) {
+        const auto p = IntersectSheet(CastRay(device.camera, {u, v}), device.lasers[0], SheetModel::kCone, m);
         ASSERT_TRUE(p);
-        EXPECT_NEAR(ray.HeightOf(m), p->z(), 0.02) << u << " " << v << " " << m;
+        EXPECT_NEAR(ray.HeightOf(m), p->z(), 1e-3) << u << " " << v << " " << m;
       }
     }
   }
@@ -29,13 +42,17 @@ TEST(RayOrders, GivesTheHeightsThatTheSheetsGive) {
 
 TEST(RayOrders, TakesPlanesWhereThereIsNoFan) {
   const DeviceGeometry device = TestDevice();
-  const RayOrders ray(device.camera, device.lasers[0], 300.0, 200.0, 0.0, 80.0);
-  ASSERT_TRUE(ray.valid());
-  const int m = static_cast<int>(std::ceil(std::min(ray.OrderAtLow(), ray.OrderAtHigh())));
+  const RayOrders ray = Along(device, 300.0, 200.0);
+  const int m = Seen(ray).first;
   const auto p =
       IntersectSheet(CastRay(device.camera, {300.0, 200.0}), device.lasers[0], SheetModel::kPlane, m);
   ASSERT_TRUE(p);
   EXPECT_NEAR(ray.HeightOf(m), p->z(), 0.1);
+}
+
+TEST(RayOrders, NothingIsSampledWhereNoSheetIs) {
+  LaserGeometry nothing;
+  EXPECT_FALSE(RayOrders::Sample(TestDevice().camera, nothing, 300.0, 200.0, kLow, kHigh));
 }
 
 }  // namespace

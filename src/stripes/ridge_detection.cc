@@ -2,17 +2,16 @@
 #include "stripes/ridge_detection.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "base/parallel.h"
+#include "stripes/ridge_response.h"
 
 namespace dorsum {
 namespace {
-
-constexpr std::array<float, 5> kRows = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};
 
 // Half of the symmetric kernel, from its middle outwards: (G - mean G) / sum (G - mean G)^2.
 std::vector<float> MatchedKernel(double width) {
@@ -27,38 +26,6 @@ std::vector<float> MatchedKernel(double width) {
     kernel[static_cast<std::size_t>(i)] = static_cast<float>((gauss(i) - mean) / square);
   }
   return kernel;
-}
-
-// What one row needs; kept from row to row.
-struct Lines {
-  std::vector<float> padded, response;
-};
-
-void SmoothRows(const cv::Mat& green, int row, std::size_t pad, std::vector<float>* padded) {
-  const auto cols = static_cast<std::size_t>(green.cols);
-  padded->assign(cols + 2 * pad, 0.0F);
-  float* to = padded->data() + pad;
-  for (int k = -2; k <= 2; ++k) {
-    const auto* from = green.ptr<std::uint8_t>(std::clamp(row + k, 0, green.rows - 1));
-    const float weight = kRows[static_cast<std::size_t>(k + 2)];
-    for (std::size_t u = 0; u < cols; ++u) to[u] += weight * static_cast<float>(from[u]);
-  }
-  std::fill(padded->begin(), padded->begin() + static_cast<std::ptrdiff_t>(pad), to[0]);
-  std::fill(to + cols, to + cols + pad, to[cols - 1]);
-}
-
-void Filter(const std::vector<float>& kernel, std::size_t pad, Lines* lines) {
-  const std::size_t cols = lines->padded.size() - 2 * pad;
-  lines->response.resize(cols);
-  const float* in = lines->padded.data() + pad;
-  float* out = lines->response.data();
-  for (std::size_t u = 0; u < cols; ++u) out[u] = kernel[0] * in[u];
-  for (std::size_t k = 1; k < kernel.size(); ++k) {
-    const float* right = in + k;
-    const float* left = in - k;
-    const float weight = kernel[k];
-    for (std::size_t u = 0; u < cols; ++u) out[u] += weight * (left[u] + right[u]);
-  }
 }
 
 float Refine(const std::vector<float>& r, std::size_t u) {
@@ -95,30 +62,24 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
                                                       const RidgeDetectionOptions& options,
                                                       const Context& context, const RowComb& comb) {
   const std::vector<float> kernel = MatchedKernel(options.width_px);
-  auto gain = static_cast<double>(kernel[0] * kernel[0]);
-  for (std::size_t k = 1; k < kernel.size(); ++k) gain += 2.0 * static_cast<double>(kernel[k] * kernel[k]);
-  double row_gain = 0.0;
-  for (const float k : kRows) row_gain += static_cast<double>(k * k);
-  gain *= row_gain * options.min_contrast * options.min_contrast;
-  const std::size_t pad = kernel.size() - 1;
+  const double gain = NoiseGain(kernel) * options.min_contrast * options.min_contrast;
   const int reach = static_cast<int>(std::ceil(std::max(4.0 * options.width_px, 8.0)));
 
   std::vector<std::vector<RidgeCandidate>> rows(static_cast<std::size_t>(green.rows));
   const int count = std::max(0, (green.rows - comb.first + comb.step - 1) / comb.step);
   ParallelFor(context, 0, count, [&](std::int64_t i) {
     const std::int64_t row = comb.first + i * comb.step;
-    thread_local Lines lines;
-    SmoothRows(green, static_cast<int>(row), pad, &lines.padded);
-    Filter(kernel, pad, &lines);
-    const std::vector<float>& r = lines.response;
-    const float* grey = lines.padded.data() + pad;
+    thread_local std::optional<RidgeResponse> lines;
+    if (!lines || lines->kernel() != kernel) lines.emplace(kernel);
+    lines->Compute(green, static_cast<int>(row));
+    const std::vector<float>& r = lines->response();
     const auto* in = region.empty() ? nullptr : region.ptr<std::uint8_t>(static_cast<int>(row));
     std::vector<RidgeCandidate>& found = rows[static_cast<std::size_t>(row)];
-    for (std::size_t u = 1; u + 1 < r.size(); ++u) {
-      if (!(r[u] > r[u - 1] && r[u] >= r[u + 1])) continue;
+    for (const int peak : lines->Peaks(static_cast<float>(options.min_response))) {
+      const auto u = static_cast<std::size_t>(peak);
       const auto response = static_cast<double>(r[u]);
-      if (response < options.min_response || (in != nullptr && in[u] == 0)) continue;
-      const double surroundings = std::max(0.0, static_cast<double>(grey[u]) - 0.5 * response);
+      if (in != nullptr && in[u] == 0) continue;
+      const double surroundings = std::max(0.0, static_cast<double>(lines->Smoothed(u)) - 0.5 * response);
       if (response * response < gain * noise.Variance(surroundings)) continue;
       const std::size_t from = u > static_cast<std::size_t>(reach) ? u - static_cast<std::size_t>(reach) : 0;
       const std::size_t to = std::min(r.size(), u + static_cast<std::size_t>(reach) + 1);

@@ -11,22 +11,45 @@ namespace {
 
 enum class Outcome { kPoint, kNoOrder, kNoSheet };
 
-std::optional<SurfacePoint> TriangulateOne(const StripePoint& p, int order, const DeviceGeometry& device,
+// Where a pixel's ray meets the sheet of an order, and how its height grows with the column.
+struct Meeting {
+  Eigen::Vector3d position;
+  double dz_du = 0.0;
+};
+
+std::optional<Meeting> MeetCone(const StripePoint& p, int order, const DeviceOrders& orders,
+                                const LaserGeometry& laser) {
+  if (!laser.fan) return std::nullopt;
+  const auto u = static_cast<double>(p.u), v = static_cast<double>(p.v);
+  const auto here = orders.At(laser.laser, u, v), beside = orders.At(laser.laser, u + 0.5, v);
+  if (!here || !beside) return std::nullopt;
+  const double z = here->HeightOf(order);
+  const Ray ray = CastRay(orders.device().camera, {u, v});
+  return Meeting{ray.At((z - ray.origin.z()) / ray.direction.z()), 2.0 * (beside->HeightOf(order) - z)};
+}
+
+std::optional<Meeting> MeetPlane(const StripePoint& p, int order, const Camera& camera,
+                                 const LaserGeometry& laser) {
+  const auto here = IntersectSheet(CastRay(camera, {p.u, p.v}), laser, SheetModel::kPlane, order);
+  const auto beside = IntersectSheet(CastRay(camera, {p.u + 0.5, p.v}), laser, SheetModel::kPlane, order);
+  if (!here || !beside) return std::nullopt;
+  return Meeting{*here, 2.0 * (beside->z() - here->z())};
+}
+
+std::optional<SurfacePoint> TriangulateOne(const StripePoint& p, int order, const DeviceOrders& orders,
                                            const LaserGeometry& laser, const TriangulationOptions& options) {
-  const Ray ray = CastRay(device.camera, {p.u, p.v});
-  const auto position = IntersectSheet(ray, laser, options.sheets, order);
-  if (!position || !position->allFinite()) return std::nullopt;
-  // Half a pixel to the side, for the derivative of z by u.
-  const auto beside =
-      IntersectSheet(CastRay(device.camera, {p.u + 0.5, p.v}), laser, options.sheets, order, position->z());
-  if (!beside) return std::nullopt;
+  const bool plane = options.sheets == SheetModel::kPlane;
+  const auto met =
+      plane ? MeetPlane(p, order, orders.device().camera, laser) : MeetCone(p, order, orders, laser);
+  if (!met || !met->position.allFinite()) return std::nullopt;
   SurfacePoint out;
-  out.position = *position;
-  if (options.correction && options.sheets == SheetModel::kPlane) {
-    const double z = laser.correction.CorrectedZ(position->x(), position->z());
+  out.position = met->position;
+  if (options.correction && plane) {
+    const Ray ray = CastRay(orders.device().camera, {p.u, p.v});
+    const double z = laser.correction.CorrectedZ(met->position.x(), met->position.z());
     out.position = ray.At((z - ray.origin.z()) / ray.direction.z());
   }
-  const double dz_du = 2.0 * (beside->z() - position->z());
+  const double dz_du = met->dz_du;
   out.sigma = static_cast<float>(std::hypot(dz_du * p.sd_px, laser.residual_mm));
   if (p.row_sd_px > 0.0F) {
     out.row_z = static_cast<float>(out.position.z() + dz_du * static_cast<double>(p.row_u - p.u));
@@ -43,11 +66,11 @@ std::optional<SurfacePoint> TriangulateOne(const StripePoint& p, int order, cons
 
 }  // namespace
 
-Triangulation Triangulate(const IndexedStripes& stripes, const DeviceGeometry& device,
+Triangulation Triangulate(const IndexedStripes& stripes, const DeviceOrders& orders,
                           const TriangulationOptions& options, const Context& context) {
   Triangulation out;
   for (const LaserStripes& one : stripes.lasers) {
-    const LaserGeometry* laser = device.FindLaser(one.laser);
+    const LaserGeometry* laser = orders.device().FindLaser(one.laser);
     if (laser == nullptr) continue;
     std::vector<std::optional<SurfacePoint>> points(one.points.size());
     std::vector<Outcome> outcomes(one.points.size(), Outcome::kNoOrder);
@@ -56,7 +79,7 @@ Triangulation Triangulate(const IndexedStripes& stripes, const DeviceGeometry& d
       if (!segment.order) return;
       for (std::int32_t i = segment.first; i < segment.first + segment.count; ++i) {
         const auto index = static_cast<std::size_t>(i);
-        points[index] = TriangulateOne(one.points[index], *segment.order, device, *laser, options);
+        points[index] = TriangulateOne(one.points[index], *segment.order, orders, *laser, options);
         outcomes[index] = points[index] ? Outcome::kPoint : Outcome::kNoSheet;
       }
     });

@@ -3,6 +3,7 @@
 
 #include "base/context.h"
 #include "geometry/calibration.h"
+#include "stripes/device_orders.h"
 #include "stripes/stripes.h"
 #include "surface/surface_point.h"
 
@@ -23,7 +24,7 @@ struct Triangulation {
 // order. With `correction`, z is replaced by equation 3.9 and the point slides along its camera ray to that
 // height: the document changes z alone, which would leave the ray that the point was seen on.
 // sigma holds the stripe's own noise, carried through the intersection, and the calibration's residual.
-Triangulation Triangulate(const IndexedStripes& stripes, const DeviceGeometry& device,
+Triangulation Triangulate(const IndexedStripes& stripes, const DeviceOrders& orders,
                           const TriangulationOptions& options, const Context& context = {});
 
 }  // namespace dorsum

@@ -55,7 +55,7 @@ class TriangulationTest : public ::testing::Test {
 };
 
 TEST_F(TriangulationTest, RaysMeetTheSheetsWhereTheLightIs) {
-  const Triangulation t = Triangulate(stripes_, device_, {});
+  const Triangulation t = Triangulate(stripes_, DeviceOrders(device_), {});
   ASSERT_EQ(t.points.size(), truth_.size());
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     EXPECT_LT((t.points[i].position - truth_[i]).norm(), 2e-3);  // u and v are single precision
@@ -68,21 +68,21 @@ TEST_F(TriangulationTest, RaysMeetTheSheetsWhereTheLightIs) {
 }
 
 TEST_F(TriangulationTest, ARowsOwnHeightComesWithItsOwnDeviation) {
-  const Triangulation plain = Triangulate(stripes_, device_, {});
+  const Triangulation plain = Triangulate(stripes_, DeviceOrders(device_), {});
   EXPECT_EQ(plain.points[3].row_sigma, 0.0F);
   StripePoint& p = stripes_.lasers[0].points[3];
   p.row_u = p.u + 0.5F;
   p.row_sd_px = 2.0F * p.sd_px;
-  const Triangulation pooled = Triangulate(stripes_, device_, {});
+  const Triangulation pooled = Triangulate(stripes_, DeviceOrders(device_), {});
   p.u = p.row_u;
-  const Triangulation moved = Triangulate(stripes_, device_, {});
+  const Triangulation moved = Triangulate(stripes_, DeviceOrders(device_), {});
   EXPECT_NEAR(pooled.points[3].row_z, moved.points[3].position.z(), 1e-3);
   EXPECT_NEAR(pooled.points[3].row_sigma, 2.0F * plain.points[3].sigma, 1e-4);
 }
 
 TEST_F(TriangulationTest, TheCorrectionMovesAPointAlongItsRayToTheCorrectedHeight) {
   device_.lasers[1].correction.c = {0.02, 1e-4, -2e-4, 0.0, 0.0, 1e-6};
-  const Triangulation t = Triangulate(stripes_, device_, {});
+  const Triangulation t = Triangulate(stripes_, DeviceOrders(device_), {});
   ASSERT_EQ(t.points.size(), truth_.size());
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     const double z = device_.lasers[1].correction.CorrectedZ(truth_[i].x(), truth_[i].z());
@@ -91,45 +91,45 @@ TEST_F(TriangulationTest, TheCorrectionMovesAPointAlongItsRayToTheCorrectedHeigh
     EXPECT_NEAR(pixel.x(), t.points[i].u, 1e-3);
     EXPECT_NEAR(pixel.y(), t.points[i].v, 1e-3);
   }
-  const Triangulation raw = Triangulate(stripes_, device_, {.correction = false});
+  const Triangulation raw = Triangulate(stripes_, DeviceOrders(device_), {.correction = false});
   EXPECT_LT((raw.points[7].position - truth_[7]).norm(), 2e-3);
 }
 
 TEST_F(TriangulationTest, PointsWithoutOrderOrSheetAreCountedAndLeftOut) {
   stripes_.lasers[0].segments[1].order.reset();
   stripes_.lasers[0].segments[2].order = 99;
-  const Triangulation t = Triangulate(stripes_, device_, {});
+  const Triangulation t = Triangulate(stripes_, DeviceOrders(device_), {});
   EXPECT_EQ(t.points.size(), 40U);
   EXPECT_EQ(t.without_order, 20);
   EXPECT_EQ(t.without_sheet, 20);
-  const Triangulation cones = Triangulate(stripes_, device_, {.sheets = SheetModel::kCone});
+  const Triangulation cones = Triangulate(stripes_, DeviceOrders(device_), {.sheets = SheetModel::kCone});
   EXPECT_TRUE(cones.points.empty());
   EXPECT_EQ(cones.without_sheet, 60);
 }
 
 TEST_F(TriangulationTest, SigmaIsTheStripesNoiseCarriedThroughTheIntersection) {
-  const Triangulation t = Triangulate(stripes_, device_, {});
+  const Triangulation t = Triangulate(stripes_, DeviceOrders(device_), {});
   IndexedStripes shifted = stripes_;
   for (StripePoint& p : shifted.lasers[0].points) p.u += 0.1F;  // one standard deviation
-  const Triangulation s = Triangulate(shifted, device_, {});
+  const Triangulation s = Triangulate(shifted, DeviceOrders(device_), {});
   for (std::size_t i = 0; i < t.points.size(); ++i) {
     EXPECT_GT(t.points[i].sigma, 0.0F);
     const double moved = std::abs(s.points[i].position.z() - t.points[i].position.z());
     EXPECT_NEAR(t.points[i].sigma, moved, 0.02 * moved);
   }
   device_.lasers[1].residual_mm = 3.0;
-  const float with_residual = Triangulate(stripes_, device_, {}).points[0].sigma;
+  const float with_residual = Triangulate(stripes_, DeviceOrders(device_), {}).points[0].sigma;
   EXPECT_NEAR(with_residual, std::hypot(3.0, t.points[0].sigma), 1e-3);
 }
 
 TEST_F(TriangulationTest, AnUnknownLaserGivesNothing) {
   stripes_.lasers[0].laser = 7;
-  EXPECT_TRUE(Triangulate(stripes_, device_, {}).points.empty());
+  EXPECT_TRUE(Triangulate(stripes_, DeviceOrders(device_), {}).points.empty());
 }
 
 TEST_F(TriangulationTest, TheSameBytesComeWithOneThreadAndWithMany) {
-  const Triangulation one = Triangulate(stripes_, device_, {}, WithThreads(1));
-  const Triangulation many = Triangulate(stripes_, device_, {}, WithThreads(4));
+  const Triangulation one = Triangulate(stripes_, DeviceOrders(device_), {}, WithThreads(1));
+  const Triangulation many = Triangulate(stripes_, DeviceOrders(device_), {}, WithThreads(4));
   ASSERT_EQ(one.points.size(), many.points.size());
   for (std::size_t i = 0; i < one.points.size(); ++i)
     EXPECT_EQ(one.points[i].position, many.points[i].position);
