@@ -10,7 +10,7 @@
 namespace dorsum {
 
 // A device with what its pixels' rays meet of every laser's sheets, found once for a grid of pixels. In
-// between, cubics give orders to 1e-5 and heights to a micrometre (tested), so that a scan need not solve for
+// between, cubics give orders to 1e-4 and heights to a micrometre (tested), so that a scan need not solve for
 // any pixel what depends on the calibration alone.
 class DeviceOrders {
  public:

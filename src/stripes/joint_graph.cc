@@ -2,6 +2,7 @@
 #include "stripes/joint_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -14,27 +15,56 @@ struct Here {
   float u = 0.0F;
   int piece = 0, sample = 0;
 };
-using Rows = std::map<int, std::vector<Here>>;
+// By image row, from 0 on.
+using Rows = std::vector<std::vector<Here>>;
 
 Rows SortIntoRows(const std::vector<JointPiece>& pieces) {
   Rows rows;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t s = 0; s < pieces[i].samples.size(); ++s) {
-      rows[static_cast<int>(std::lround(pieces[i].samples[s].v))].push_back(
-          {pieces[i].samples[s].u, static_cast<int>(i), static_cast<int>(s)});
+      const auto v = static_cast<std::size_t>(std::max(0L, std::lround(pieces[i].samples[s].v)));
+      if (v >= rows.size()) rows.resize(v + 1);
+      rows[v].push_back({pieces[i].samples[s].u, static_cast<int>(i), static_cast<int>(s)});
     }
   }
-  for (auto& [v, row] : rows) {
+  for (std::vector<Here>& row : rows) {
     std::sort(row.begin(), row.end(),
               [](const Here& a, const Here& b) { return std::pair(a.u, a.piece) < std::pair(b.u, b.piece); });
   }
   return rows;
 }
 
+// most * (1 - (1 + t^2)^(-1 / most)) of a height difference of t scales, from tables.
+class StepCost {
+ public:
+  explicit StepCost(double most) {
+    const auto cost = [&](double t) {
+      return static_cast<float>(most * (1.0 - std::pow(1.0 + t * t, -1.0 / most)));
+    };
+    for (std::size_t i = 0; i <= kCount; ++i) {
+      fine_[i] = cost(static_cast<double>(i) / kFine);
+      coarse_[i] = cost(static_cast<double>(i) / kCoarse);
+    }
+  }
+  float operator()(float t) const {
+    return t < kCount / kFine ? At(fine_, t * kFine) : At(coarse_, std::min(t * kCoarse, 1.0F * kCount));
+  }
+
+ private:
+  static constexpr std::size_t kCount = 1024;
+  static constexpr float kFine = 64.0F, kCoarse = 2.0F;  // steps for a scale
+  using Table = std::array<float, kCount + 1>;
+  static float At(const Table& table, float x) {
+    const auto i = std::min(static_cast<std::size_t>(x), kCount - 1);
+    return table[i] + (x - static_cast<float>(i)) * (table[i + 1] - table[i]);
+  }
+  Table fine_{}, coarse_{};
+};
+
 class Builder {
  public:
   Builder(const std::vector<JointPiece>& pieces, const JointGraphOptions& options)
-      : pieces_(pieces), options_(options), edges_of_(pieces.size()) {}
+      : pieces_(pieces), options_(options), step_cost_(options.most_cost), edges_of_(pieces.size()) {}
 
   // Adds one comparison of two samples that are `distance` apart, mm.
   void Compare(const Here& a, const Here& b, double distance, double observations) {
@@ -45,14 +75,14 @@ class Builder {
     const bool swapped = edge.first != a.piece;
     const auto& z = p.samples[static_cast<std::size_t>(swapped ? b.sample : a.sample)].z;
     const auto& y = q.samples[static_cast<std::size_t>(swapped ? a.sample : b.sample)].z;
-    const double scale = options_.scale_mm + options_.scale_slope * distance;
-    std::size_t k = 0;
+    const auto unit = static_cast<float>(1.0 / (options_.scale_mm + options_.scale_slope * distance));
+    const auto weight = static_cast<float>(observations);
+    constexpr float kUnseen = 40.0F;  // mm; what a height counts as that cannot be
+    float* cost = edge.heights.data();
     for (const float zi : z) {
       for (const float yj : y) {
-        const double d = std::isnan(zi) || std::isnan(yj) ? 40.0 : zi - yj;
-        edge.heights[k++] +=
-            static_cast<float>(observations * options_.most_cost *
-                               (1.0 - std::pow(1.0 + d * d / (scale * scale), -1.0 / options_.most_cost)));
+        const float d = std::isnan(zi) || std::isnan(yj) ? kUnseen : std::abs(zi - yj);
+        *cost++ += weight * step_cost_(d * unit);
       }
     }
   }
@@ -113,6 +143,7 @@ class Builder {
 
   const std::vector<JointPiece>& pieces_;
   const JointGraphOptions& options_;
+  const StepCost step_cost_;
   std::vector<JointEdge> edges_;
   std::vector<Rule> rules_;  // by edge
   std::vector<std::vector<std::pair<int, std::size_t>>>
@@ -122,7 +153,7 @@ class Builder {
 // Stripes side by side in one row.
 void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, int sample_rows,
                       double observations, const JointGraphOptions& options, Builder* builder) {
-  for (const auto& [v, row] : rows) {
+  for (const std::vector<Here>& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const JointPiece& p = pieces[static_cast<std::size_t>(row[i].piece)];
       bool met_own = false;
@@ -157,14 +188,16 @@ void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows
       const int v0 = static_cast<int>(std::lround(from.v));
       // The nearest sample of each of the nearest few pieces.
       std::map<int, std::pair<double, Here>> nearest;
-      const auto first = way < 0 ? rows.lower_bound(v0 - static_cast<int>(reach)) : rows.upper_bound(v0);
-      const auto last = way < 0 ? rows.lower_bound(v0) : rows.upper_bound(v0 + static_cast<int>(reach));
-      for (auto it = first; it != last; ++it) {
-        const auto dv = static_cast<float>(std::abs(it->first - v0));
+      const int first = way < 0 ? std::max(0, v0 - static_cast<int>(reach)) : v0 + 1;
+      const int end_row =
+          std::min(static_cast<int>(rows.size()), way < 0 ? v0 : v0 + static_cast<int>(reach) + 1);
+      for (int v = first; v < end_row; ++v) {
+        const std::vector<Here>& row = rows[static_cast<std::size_t>(v)];
+        const auto dv = static_cast<float>(std::abs(v - v0));
         const float half = 0.7F * reach;
-        auto h = std::lower_bound(it->second.begin(), it->second.end(), from.u - half,
+        auto h = std::lower_bound(row.begin(), row.end(), from.u - half,
                                   [](const Here& a, float u) { return a.u < u; });
-        for (; h != it->second.end() && h->u <= from.u + half; ++h) {
+        for (; h != row.end() && h->u <= from.u + half; ++h) {
           if (h->piece == static_cast<int>(i)) continue;
           const double distance = std::hypot(h->u - from.u, dv) / p.px_per_mm;
           if (distance > options.max_gap_mm) continue;
