@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <map>
 
+#include "base/parallel.h"
+
 namespace dorsum {
 namespace {
 
@@ -92,6 +94,18 @@ class Builder {
     rules_[EdgeOf(left, right)].grows += left < right ? rows : -rows;
   }
 
+  // Adds what another builder for the same pieces has found.
+  void Add(const Builder& other) {
+    for (std::size_t e = 0; e < other.edges_.size(); ++e) {
+      const JointEdge& from = other.edges_[e];
+      const std::size_t own = EdgeOf(from.first, from.second);
+      JointEdge& to = edges_[own];
+      to.observations += from.observations;
+      for (std::size_t k = 0; k < to.heights.size(); ++k) to.heights[k] += from.heights[k];
+      rules_[own].grows += other.rules_[e].grows;
+    }
+  }
+
   void Continue(int above, int below, double cost) { rules_[EdgeOf(above, below)].change_cost = cost; }
 
   std::vector<JointEdge> Finish() {
@@ -150,10 +164,16 @@ class Builder {
       edges_of_;  // by the lower piece: the higher one and the edge
 };
 
-// Stripes side by side in one row.
-void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, int sample_rows,
-                      double observations, const JointGraphOptions& options, Builder* builder) {
-  for (const std::vector<Here>& row : rows) {
+// Surfaces are smooth, so every second of the rows with samples tells as much as all.
+constexpr int kSkip = 2;
+
+// Stripes side by side in the rows [first, end).
+void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, std::size_t first,
+                      std::size_t end, int sample_rows, double observations, const JointGraphOptions& options,
+                      Builder* builder) {
+  for (std::size_t v = first; v < end; ++v) {
+    if (v / static_cast<std::size_t>(sample_rows) % kSkip != 0) continue;
+    const std::vector<Here>& row = rows[v];
     for (std::size_t i = 0; i < row.size(); ++i) {
       const JointPiece& p = pieces[static_cast<std::size_t>(row[i].piece)];
       bool met_own = false;
@@ -165,10 +185,10 @@ void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, i
         if (p.laser == q.laser && !met_own) {
           met_own = true;
           if (distance < 6.0 * options.max_distance_mm)
-            builder->Order(row[i].piece, row[j].piece, sample_rows);
+            builder->Order(row[i].piece, row[j].piece, kSkip * sample_rows);
         }
         if (distance <= options.max_distance_mm && j <= i + static_cast<unsigned>(options.neighbours)) {
-          builder->Compare(row[i], row[j], distance, observations);
+          builder->Compare(row[i], row[j], distance, kSkip * observations);
         }
       }
     }
@@ -244,7 +264,7 @@ std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, doub
 }  // namespace
 
 JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_rows, double min_height_mm,
-                           double max_height_mm, const JointGraphOptions& options) {
+                           double max_height_mm, const JointGraphOptions& options, const Context& context) {
   JointGraph graph;
   const double each = sample_rows / options.independent_rows;
   for (const JointPiece& p : pieces) {
@@ -253,8 +273,16 @@ JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_row
     graph.unary.push_back(UnaryCosts(p, min_height_mm, max_height_mm, n, options));
   }
   const Rows rows = SortIntoRows(pieces);
-  Builder builder(pieces, options);
-  CompareAlongRows(pieces, rows, sample_rows, each, options, &builder);
+  // Bands of rows side by side; always as many, so that sums come out the same.
+  constexpr std::size_t kBands = 4;
+  std::vector<Builder> bands(kBands, Builder(pieces, options));
+  ParallelFor(context, 0, kBands, [&](std::int64_t band) {
+    const auto k = static_cast<std::size_t>(band);
+    CompareAlongRows(pieces, rows, k * rows.size() / kBands, (k + 1) * rows.size() / kBands, sample_rows,
+                     each, options, &bands[k]);
+  });
+  Builder& builder = bands[0];
+  for (std::size_t k = 1; k < kBands; ++k) builder.Add(bands[k]);
   CompareAlongColumns(pieces, rows, each, options, &builder);
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (pieces[i].laser != pieces[i - 1].laser || pieces[i].segment != pieces[i - 1].segment) continue;

@@ -51,6 +51,7 @@ struct JointGraph {
 // ones they do not, because one order is worth another height for each laser. `sample_rows` is
 // JointPieceOptions'.
 JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_rows, double min_height_mm,
-                           double max_height_mm, const JointGraphOptions& options);
+                           double max_height_mm, const JointGraphOptions& options,
+                           const Context& context = {});
 
 }  // namespace dorsum

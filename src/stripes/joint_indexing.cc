@@ -76,7 +76,7 @@ IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceOrder
   std::erase_if(stripes, [&](const LaserStripes& s) { return device.FindLaser(s.laser) == nullptr; });
   const std::vector<JointPiece> pieces = CutPieces(stripes, device_orders, options.pieces, context);
   const JointGraph graph = BuildJointGraph(pieces, options.pieces.sample_rows, device.min_height_mm,
-                                           device.max_height_mm, options.graph);
+                                           device.max_height_mm, options.graph, context);
   const JointLabels labels = InferLabels(pieces, graph, options.inference);
   std::vector<std::optional<int>> orders(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {

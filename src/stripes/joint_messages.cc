@@ -133,7 +133,7 @@ std::vector<int> PassMessages(const std::vector<JointPiece>& pieces, const Joint
                               const MessagePassingOptions& options) {
   Messages messages(pieces, graph);
   for (int sweep = 0; sweep < options.max_sweeps; ++sweep) {
-    if (messages.Sweep(sweep % 2 == 0, 0.1F * options.tolerance) < options.tolerance) break;
+    if (messages.Sweep(sweep % 2 == 0, options.tolerance) < options.tolerance) break;
   }
   return messages.Choose();
 }

@@ -13,19 +13,25 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// A straight line u(v) through some points, by least squares; its value at v.
-float LineAt(const StripePoint* first, const StripePoint* last, float v) {
+// The straight line u(v) = at + slope (v - from) through some points, by least squares.
+struct Line {
+  double from = 0.0, at = 0.0, slope = 0.0;
+  float At(float v) const { return static_cast<float>(at + slope * (static_cast<double>(v) - from)); }
+};
+
+Line LineThrough(const StripePoint* first, const StripePoint* last) {
   double n = 0.0, sv = 0.0, su = 0.0, svv = 0.0, suv = 0.0;
   for (const StripePoint* p = first; p != last; ++p) {
-    const double dv = p->v - v;
+    const auto dv = static_cast<double>(p->v - first->v), u = static_cast<double>(p->u);
     n += 1.0;
     sv += dv;
-    su += p->u;
+    su += u;
     svv += dv * dv;
-    suv += dv * p->u;
+    suv += dv * u;
   }
   const double det = n * svv - sv * sv;
-  return static_cast<float>(det > 1e-9 ? (svv * su - sv * suv) / det : su / n);
+  const double slope = det > 1e-9 ? (n * suv - sv * su) / det : 0.0;
+  return {static_cast<double>(first->v), (su - slope * sv) / n, slope};
 }
 
 // Where a piece begins; `hard` where the stripe itself breaks.
@@ -38,9 +44,9 @@ struct Cut {
 float Miss(const StripePoint* points, std::int32_t i, const JointPieceOptions& options) {
   const std::int32_t k = options.kink_rows;
   const float mid = 0.5F * (points[i].v + points[i - 1].v), reach = 0.5F * static_cast<float>(k);
-  const auto miss = [&](float v) {
-    return std::abs(LineAt(points + i - k, points + i, v) - LineAt(points + i, points + i + k, v));
-  };
+  const Line before = LineThrough(points + i - k, points + i),
+             after = LineThrough(points + i, points + i + k);
+  const auto miss = [&](float v) { return std::abs(before.At(v) - after.At(v)); };
   return std::max(miss(mid) / options.step_px,
                   std::max(miss(mid - reach), miss(mid + reach)) / options.kink_px);
 }
@@ -221,11 +227,15 @@ std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, cons
   const DeviceGeometry& device = orders.device();
   std::vector<JointPiece> pieces;
   for (std::size_t l = 0; l < stripes.size(); ++l) {
-    const LaserGeometry* laser = device.FindLaser(stripes[l].laser);
-    if (laser == nullptr) continue;
-    for (std::size_t s = 0; s < stripes[l].segments.size(); ++s) {
-      if (stripes[l].segments[s].count == 0) continue;
-      const std::vector<Cut> cuts = FindCuts(stripes[l], stripes[l].segments[s], options);
+    const std::vector<StripeSegment>& segments = stripes[l].segments;
+    if (device.FindLaser(stripes[l].laser) == nullptr) continue;
+    std::vector<std::vector<Cut>> all_cuts(segments.size());
+    ParallelFor(context, 0, static_cast<std::int64_t>(segments.size()), [&](std::int64_t s) {
+      const StripeSegment& segment = segments[static_cast<std::size_t>(s)];
+      if (segment.count > 0) all_cuts[static_cast<std::size_t>(s)] = FindCuts(stripes[l], segment, options);
+    });
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      const std::vector<Cut>& cuts = all_cuts[s];
       for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
         JointPiece piece;
         piece.laser = static_cast<int>(l);
