@@ -20,13 +20,29 @@ constexpr int kReach = 3;             // px: how far the outline on double pixel
 constexpr double kFineTexture = 0.7;  // single pixels differ less than double ones, though noise is more
 constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
 
+// Where no seed of the object is nearer than about 30 px, in squares of 8 px.
+cv::Mat FarFromObject(const cv::Mat& votes) {
+  constexpr int kSquare = 8, kSquares = 4;
+  const cv::Size squares((votes.cols + kSquare - 1) / kSquare, (votes.rows + kSquare - 1) / kSquare);
+  cv::Mat1b near(squares, std::uint8_t{0});
+  for (int v = 0; v < votes.rows; ++v) {
+    const auto* row = votes.ptr<float>(v);
+    auto* out = near.ptr<std::uint8_t>(v / kSquare);
+    for (int u = 0; u < votes.cols; ++u) {
+      if (row[u] > 0.0F) out[u / kSquare] = 255;
+    }
+  }
+  constexpr int kSide = 2 * kSquares + 1;
+  cv::dilate(near, near, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kSide, kSide}));
+  cv::Mat large;
+  cv::resize(near, large, {squares.width * kSquare, squares.height * kSquare}, 0, 0, cv::INTER_NEAREST);
+  return large(cv::Rect({0, 0}, votes.size())) == 0;
+}
+
 // Far from the object's stripes what has not changed is backplane, whether or not a stripe lies there.
 void SettleUnchanged(const cv::Mat& light, const cv::Mat& votes, cv::Mat* known) {
   constexpr float kUnchanged = 0.05F;  // of the light's root
-  constexpr float kFar = 30.0F;        // px
-  cv::Mat distance;
-  cv::distanceTransform(votes <= 0.0, distance, cv::DIST_L2, cv::DIST_MASK_3);
-  const cv::Mat settled = (distance > kFar) & (light > 1.0F - kUnchanged) & (light < 1.0F + kUnchanged) &
+  const cv::Mat settled = FarFromObject(votes) & (light > 1.0F - kUnchanged) & (light < 1.0F + kUnchanged) &
                           (*known == kUnknownPixel);
   known->setTo(kBackplanePixel, settled);
 }
@@ -51,18 +67,18 @@ void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area
   const int count = cv::connectedComponentsWithStats(pieces, labels, stats, centroids, 4, CV_32S);
   std::vector<int> seeds(static_cast<std::size_t>(count), 0);
   for (int v = 0; v < votes.rows; ++v) {
+    const auto* vote = votes.ptr<float>(v);
+    const auto* label = labels.ptr<int>(v);
     for (int u = 0; u < votes.cols; ++u) {
-      if (sign * votes.at<float>(v, u) > 0.0F) ++seeds[static_cast<std::size_t>(labels.at<int>(v, u))];
+      if (sign * vote[u] > 0.0F) ++seeds[static_cast<std::size_t>(label[u])];
     }
   }
-  const auto dropped = [&](int label) {
-    return label > 0 && seeds[static_cast<std::size_t>(label)] < min_seeds &&
-           stats.at<int>(label, cv::CC_STAT_AREA) < min_area;
-  };
-  for (int v = 0; v < labels.rows; ++v) {
-    for (int u = 0; u < labels.cols; ++u) {
-      if (dropped(labels.at<int>(v, u))) mask->at<std::uint8_t>(v, u) = sign > 0.0F ? 0 : 255;
-    }
+  for (int piece = 1; piece < count; ++piece) {
+    const auto* stat = stats.ptr<int>(piece);
+    if (seeds[static_cast<std::size_t>(piece)] >= min_seeds || stat[cv::CC_STAT_AREA] >= min_area) continue;
+    const cv::Rect box(stat[cv::CC_STAT_LEFT], stat[cv::CC_STAT_TOP], stat[cv::CC_STAT_WIDTH],
+                       stat[cv::CC_STAT_HEIGHT]);
+    (*mask)(box).setTo(sign > 0.0F ? 0 : 255, labels(box) == piece);
   }
 }
 

@@ -70,7 +70,8 @@ cv::Mat UsualTexture(const cv::Mat& light, const cv::Mat& known) {
     for (int u = 0; u + 1 < light.cols; u += kEvery) {
       if (known_there[u] == 0) continue;
       use.at<std::uint8_t>(v, u) = 255;
-      steps.at<float>(v, u) = std::hypot(SharpStep(light, {u, v}, {1, 0}), SharpStep(light, {u, v}, {0, 1}));
+      const float across = SharpStep(light, {u, v}, {1, 0}), down = SharpStep(light, {u, v}, {0, 1});
+      steps.at<float>(v, u) = std::sqrt(across * across + down * down);
     }
   }
   LocalMoments near = MomentsNear(steps, use);

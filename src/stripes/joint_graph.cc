@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <span>
 
 #include "base/parallel.h"
 
@@ -75,8 +75,8 @@ class Builder {
     const JointPiece &p = pieces_[static_cast<std::size_t>(edge.first)],
                      &q = pieces_[static_cast<std::size_t>(edge.second)];
     const bool swapped = edge.first != a.piece;
-    const auto& z = p.samples[static_cast<std::size_t>(swapped ? b.sample : a.sample)].z;
-    const auto& y = q.samples[static_cast<std::size_t>(swapped ? a.sample : b.sample)].z;
+    const std::span<const float> z(p.Heights(U(swapped ? b.sample : a.sample)), U(p.candidates));
+    const std::span<const float> y(q.Heights(U(swapped ? a.sample : b.sample)), U(q.candidates));
     const auto unit = static_cast<float>(1.0 / (options_.scale_mm + options_.scale_slope * distance));
     const auto weight = static_cast<float>(observations);
     constexpr float kUnseen = 40.0F;  // mm; what a height counts as that cannot be
@@ -195,45 +195,56 @@ void CompareAlongRows(const std::vector<JointPiece>& pieces, const Rows& rows, s
   }
 }
 
+// Another piece's sample that faces the end of a piece.
+struct Facing {
+  double distance = 0.0;  // mm
+  Here at;
+};
+
+// The nearest sample of each of the nearest few other pieces above (`way` -1) or below (1) a sample.
+std::vector<Facing> FindFacing(const Rows& rows, const JointSample& from, int piece, int way, float px_per_mm,
+                               double max_gap_mm) {
+  constexpr std::size_t kFew = 4;
+  const float reach = static_cast<float>(max_gap_mm) * px_per_mm, half = 0.7F * reach;
+  const int v0 = static_cast<int>(std::lround(from.v));
+  std::vector<Facing> few;  // by growing distance
+  for (int rise = 1; rise <= static_cast<int>(reach); ++rise) {
+    const int v = v0 + way * rise;
+    if (v < 0 || v >= static_cast<int>(rows.size())) break;
+    if (few.size() == kFew && rise / px_per_mm > few.back().distance) break;
+    const std::vector<Here>& row = rows[static_cast<std::size_t>(v)];
+    auto h = std::lower_bound(row.begin(), row.end(), from.u - half,
+                              [](const Here& a, float u) { return a.u < u; });
+    for (; h != row.end() && h->u <= from.u + half; ++h) {
+      const float du = h->u - from.u, dv = static_cast<float>(rise);
+      const double distance = std::sqrt(du * du + dv * dv) / px_per_mm;
+      if (h->piece == piece || distance > max_gap_mm) continue;
+      const auto known =
+          std::find_if(few.begin(), few.end(), [&](const Facing& f) { return f.at.piece == h->piece; });
+      if (known != few.end()) {
+        if (known->distance <= distance) continue;
+        few.erase(known);
+      }
+      const auto behind = std::upper_bound(few.begin(), few.end(), distance,
+                                           [](double d, const Facing& f) { return d < f.distance; });
+      few.insert(behind, {distance, *h});
+      if (few.size() > kFew) few.pop_back();
+    }
+  }
+  return few;
+}
+
 // Ends of stripes that face other stripes along the columns.
 void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows, double observations,
                          const JointGraphOptions& options, Builder* builder) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const JointPiece& p = pieces[i];
     if (p.samples.empty()) continue;
-    const float reach = static_cast<float>(options.max_gap_mm) * p.px_per_mm;
     for (const int way : {-1, 1}) {
       const std::size_t end = way < 0 ? 0 : p.samples.size() - 1;
-      const JointSample& from = p.samples[end];
-      const int v0 = static_cast<int>(std::lround(from.v));
-      // The nearest sample of each of the nearest few pieces.
-      std::map<int, std::pair<double, Here>> nearest;
-      const int first = way < 0 ? std::max(0, v0 - static_cast<int>(reach)) : v0 + 1;
-      const int end_row =
-          std::min(static_cast<int>(rows.size()), way < 0 ? v0 : v0 + static_cast<int>(reach) + 1);
-      for (int v = first; v < end_row; ++v) {
-        const std::vector<Here>& row = rows[static_cast<std::size_t>(v)];
-        const auto dv = static_cast<float>(std::abs(v - v0));
-        const float half = 0.7F * reach;
-        auto h = std::lower_bound(row.begin(), row.end(), from.u - half,
-                                  [](const Here& a, float u) { return a.u < u; });
-        for (; h != row.end() && h->u <= from.u + half; ++h) {
-          if (h->piece == static_cast<int>(i)) continue;
-          const double distance = std::hypot(h->u - from.u, dv) / p.px_per_mm;
-          if (distance > options.max_gap_mm) continue;
-          auto [slot, fresh] = nearest.try_emplace(h->piece, distance, *h);
-          if (!fresh && distance < slot->second.first) slot->second = {distance, *h};
-        }
-      }
-      std::vector<std::pair<double, Here>> few;
-      few.reserve(nearest.size());
-      for (const auto& [piece, found] : nearest) few.push_back(found);
-      std::stable_sort(few.begin(), few.end(),
-                       [](const auto& a, const auto& b) { return a.first < b.first; });
-      constexpr std::size_t kFew = 4;
-      if (few.size() > kFew) few.resize(kFew);
-      for (const auto& [distance, to] : few) {
-        builder->Compare({from.u, static_cast<int>(i), static_cast<int>(end)}, to, distance, observations);
+      const int own = static_cast<int>(i);
+      for (const Facing& to : FindFacing(rows, p.samples[end], own, way, p.px_per_mm, options.max_gap_mm)) {
+        builder->Compare({p.samples[end].u, own, static_cast<int>(end)}, to.at, to.distance, observations);
       }
     }
   }
@@ -244,8 +255,8 @@ std::vector<float> UnaryCosts(const JointPiece& p, double low, double high, doub
   std::vector<float> cost;
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.candidates); ++k) {
     double outside = 0.0, on_backplane = 0.0;
-    for (const JointSample& s : p.samples) {
-      const double z = s.z[k];
+    for (std::size_t i = 0; i < p.samples.size(); ++i) {
+      const auto z = static_cast<double>(p.Heights(i)[k]);
       const double excess = std::isnan(z) ? 10.0 : std::max(low - z, z - high) - options.volume_tolerance_mm;
       outside += std::clamp(excess / options.volume_tolerance_mm, 0.0, 1.0);
       if (!std::isnan(z))

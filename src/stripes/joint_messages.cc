@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace dorsum {
 namespace {
@@ -21,8 +20,7 @@ struct End {
 // The graph in flat arrays, with its pieces in the order of the sweeps.
 class Messages {
  public:
-  Messages(const std::vector<JointPiece>& pieces, const JointGraph& graph)
-      : ends_(pieces.size()), news_ahead_(pieces.size()), news_behind_(pieces.size()) {
+  Messages(const std::vector<JointPiece>& pieces, const JointGraph& graph) : ends_(pieces.size()) {
     std::vector<std::size_t> order(pieces.size()), place(pieces.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto column = [&](std::size_t i) {
@@ -49,14 +47,11 @@ class Messages {
     order_ = std::move(order);
   }
 
-  // Sends messages to their neighbours on one side from all pieces that have heard something new, which is a
-  // change of more than `tolerance`; the largest change.
-  float Sweep(bool ahead, float tolerance) {
+  // Sends messages from all pieces to their neighbours on one side; the largest change.
+  float Sweep(bool ahead) {
     float change = 0.0F;
     for (std::size_t k = 0; k < ends_.size(); ++k) {
-      const std::size_t i = ahead ? k : ends_.size() - 1 - k;
-      bool& news = (ahead ? news_ahead_ : news_behind_)[i].is;
-      if (std::exchange(news, false)) change = std::max(change, SendFrom(i, ahead, tolerance));
+      change = std::max(change, SendFrom(ahead ? k : ends_.size() - 1 - k, ahead));
     }
     return change;
   }
@@ -82,11 +77,7 @@ class Messages {
   }
 
  private:
-  struct News {
-    bool is = true;
-  };
-
-  float SendFrom(std::size_t i, bool ahead, float tolerance) {
+  float SendFrom(std::size_t i, bool ahead) {
     belief_ = unary_[i];
     const std::size_t n = belief_.size();
     int before = 0, behind = 0;
@@ -107,14 +98,11 @@ class Messages {
         for (std::size_t b = 0; b < m; ++b) fresh_[b] = std::min(fresh_[b], base + cost[b * e.other_step]);
       }
       const float least = *std::min_element(fresh_.begin(), fresh_.end());
-      float own_change = 0.0F;
       for (std::size_t b = 0; b < m; ++b) {
         float& out = messages_[e.out + b];
-        own_change = std::max(own_change, std::abs(fresh_[b] - least - out));
+        change = std::max(change, std::abs(fresh_[b] - least - out));
         out = fresh_[b] - least;
       }
-      if (own_change > tolerance) news_ahead_[e.other].is = news_behind_[e.other].is = true;
-      change = std::max(change, own_change);
     }
     return change;
   }
@@ -123,8 +111,7 @@ class Messages {
   std::vector<std::vector<float>> unary_;  // these and all below by place in that order
   std::vector<std::vector<End>> ends_;
   std::vector<float> costs_, messages_;
-  std::vector<News> news_ahead_, news_behind_;  // whether a piece has not yet sent all that it knows
-  std::vector<float> belief_, fresh_;           // of the piece and the message at work
+  std::vector<float> belief_, fresh_;  // of the piece and the message at work
 };
 
 }  // namespace
@@ -133,7 +120,7 @@ std::vector<int> PassMessages(const std::vector<JointPiece>& pieces, const Joint
                               const MessagePassingOptions& options) {
   Messages messages(pieces, graph);
   for (int sweep = 0; sweep < options.max_sweeps; ++sweep) {
-    if (messages.Sweep(sweep % 2 == 0, options.tolerance) < options.tolerance) break;
+    if (messages.Sweep(sweep % 2 == 0) < options.tolerance) break;
   }
   return messages.Choose();
 }

@@ -8,7 +8,7 @@
 namespace dorsum {
 
 struct MessagePassingOptions {
-  int max_sweeps = 40;      // over all pieces, forth or back, 1 to 1000
+  int max_sweeps = 16;      // over all pieces, forth or back, 1 to 1000
   double tolerance = 0.05;  // change of a message that ends the sweeps
 };
 

@@ -18,7 +18,7 @@ struct RandomGraph {
     for (int i = 0; i < count; ++i) {
       JointPiece p;
       p.candidates = 2 + i % 2;
-      p.samples.push_back({static_cast<float>(10 * i), 0.0F, {}});
+      p.samples.push_back({static_cast<float>(10 * i), 0.0F});
       pieces.push_back(p);
       std::vector<float> unary;
       for (int k = 0; k < p.candidates; ++k) unary.push_back(static_cast<float>(rng.Uniform()));

@@ -160,14 +160,13 @@ void FillHeights(const LaserStripes& stripes, const DeviceOrders& orders, const 
   piece->candidates = last - first + 1;
   piece->px_per_mm =
       static_cast<float>(device.camera.fx / (centre.z() - 0.25 * (low + 3.0 * device.min_height_mm + high)));
+  piece->heights.reserve(rays.size() * static_cast<std::size_t>(piece->candidates));
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    JointSample sample{at[i]->u, at[i]->v,
-                       std::vector<float>(static_cast<std::size_t>(piece->candidates), kNan)};
+    piece->samples.push_back({at[i]->u, at[i]->v});
     for (int k = 0; k < piece->candidates; ++k) {
       const double z = rays[i].HeightOf(piece->Order(k));
-      if (z >= low && z <= high) sample.z[static_cast<std::size_t>(k)] = static_cast<float>(z);
+      piece->heights.push_back(z >= low && z <= high ? static_cast<float>(z) : kNan);
     }
-    piece->samples.push_back(std::move(sample));
   }
 }
 
@@ -178,7 +177,7 @@ std::size_t BackplaneEnd(const JointPiece& piece, const JointPieceOptions& optio
   for (std::size_t k = 0; k < static_cast<std::size_t>(piece.candidates); ++k) {
     const auto all = [&](std::size_t from, std::size_t to, bool near) {
       for (std::size_t i = from; i < to; ++i) {
-        const float z = std::abs(piece.samples[i].z[k]);
+        const float z = std::abs(piece.Heights(i)[k]);
         if (near ? !(z < options.backplane_mm) : !(z > 1.5F * options.backplane_mm)) return false;
       }
       return true;
@@ -208,9 +207,11 @@ JointPiece SplitOff(const LaserStripes& stripes, std::size_t at, JointPiece* pie
   rest.count = piece->first + piece->count - first;
   rest.follows = false;
   piece->count = first - piece->first;
-  const auto middle = static_cast<std::ptrdiff_t>(at);
+  const auto middle = static_cast<std::ptrdiff_t>(at), middle_height = middle * piece->candidates;
   rest.samples.erase(rest.samples.begin(), rest.samples.begin() + middle);
   piece->samples.erase(piece->samples.begin() + middle, piece->samples.end());
+  rest.heights.erase(rest.heights.begin(), rest.heights.begin() + middle_height);
+  piece->heights.erase(piece->heights.begin() + middle_height, piece->heights.end());
   return rest;
 }
 

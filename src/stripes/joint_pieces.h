@@ -23,11 +23,9 @@ struct JointPieceOptions {
   int backplane_samples = 3;  // samples that it must lie there, and must be away, 2 to 20
 };
 
-// The heights at one place of a piece, mm, one for each of the piece's candidates; NaN where the pixel's ray
-// does not meet that candidate's sheet within the working volume and its slack.
+// One place of a piece.
 struct JointSample {
   float u = 0.0F, v = 0.0F;  // px
-  std::vector<float> z;
 };
 
 // A part of one segment that is taken to lie on one surface, so that it has one order.
@@ -40,7 +38,14 @@ struct JointPiece {
   int candidates = 0;
   float px_per_mm = 0.0F;  // at the middle of the working volume
   std::vector<JointSample> samples;
+  // The heights at the samples, mm, one for each candidate of the first sample, then of the second, and so
+  // on; NaN where the pixel's ray does not meet that candidate's sheet within the working volume and its
+  // slack.
+  std::vector<float> heights;
 
+  const float* Heights(std::size_t sample) const {
+    return heights.data() + sample * static_cast<std::size_t>(candidates);
+  }
   int Order(int candidate) const { return lowest + candidate * step; }
   // None where that order is no candidate.
   std::optional<int> Candidate(int order) const;

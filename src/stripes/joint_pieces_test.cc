@@ -63,14 +63,12 @@ TEST(JointPieces, KnowAllHeightsOfTheWorkingVolume) {
     for (const JointPiece& p : pieces) {
       const auto k = p.Candidate(2);
       ASSERT_TRUE(k);
-      for (const JointSample& s : p.samples) EXPECT_NEAR(s.z[static_cast<std::size_t>(*k)], z, 0.02);
+      for (std::size_t i = 0; i < p.samples.size(); ++i) EXPECT_NEAR(p.Heights(i)[*k], z, 0.02);
       for (int a = 0; a + 1 < p.candidates; ++a) {
-        if (std::isnan(p.samples[0].z[static_cast<std::size_t>(a)]) ||
-            std::isnan(p.samples[0].z[static_cast<std::size_t>(a + 1)])) {
+        if (std::isnan(p.Heights(0)[a]) || std::isnan(p.Heights(0)[a + 1])) {
           continue;
         }
-        EXPECT_LT(p.samples[0].z[static_cast<std::size_t>(a)],
-                  p.samples[0].z[static_cast<std::size_t>(a + 1)]);
+        EXPECT_LT(p.Heights(0)[a], p.Heights(0)[a + 1]);
       }
     }
   }

@@ -57,19 +57,21 @@ float UsualWidth(const LaserStripes& stripes, const std::vector<float>& z, doubl
   return widths.size() < kFew ? 0.0F : Median(widths);
 }
 
-// Takes the height of points that are too wide away.
+// Takes the height of points that are too wide away: of those whose neighbours within `rows` have a larger
+// median.
 int DropWide(const LaserStripes& stripes, float widest, int rows, std::vector<float>* z) {
   int dropped = 0;
-  std::vector<float> near;
   for (const StripeSegment& s : stripes.segments) {
     if (!s.order) continue;
+    const auto wide = [&](std::int32_t i) {
+      return stripes.points[static_cast<std::size_t>(i)].width > widest ? 1 : 0;
+    };
+    // The median is larger where more than half are.
+    std::int32_t first = s.first, end = s.first, count = 0;
     for (std::int32_t i = s.first; i < s.first + s.count; ++i) {
-      near.clear();
-      for (std::int32_t j = std::max(s.first, i - rows / 2);
-           j <= std::min(s.first + s.count - 1, i + rows / 2); ++j) {
-        near.push_back(stripes.points[static_cast<std::size_t>(j)].width);
-      }
-      if (Median(near) <= widest) continue;
+      for (; end < std::min(s.first + s.count, i + rows / 2 + 1); ++end) count += wide(end);
+      for (; first < i - rows / 2; ++first) count -= wide(first);
+      if (2 * count <= end - first) continue;
       (*z)[static_cast<std::size_t>(i)] = kNan;
       ++dropped;
     }
@@ -144,6 +146,49 @@ void AppendSegment(const LaserStripes& from, const StripeSegment& segment, std::
   to->segments.push_back(s);
 }
 
+// What one laser contributes to an ObjectSplit.
+struct LaserSplit {
+  LaserStripes object;
+  std::vector<StripePoint> backplane;
+  int wide = 0, below = 0;
+};
+
+LaserSplit SplitLaser(const LaserStripes& from, double threshold_mm, const ObjectSplitOptions& options,
+                      std::vector<float> z) {
+  LaserSplit out;
+  const float width = UsualWidth(from, z, threshold_mm);
+  if (width > 0.0F) {
+    out.wide = DropWide(from, static_cast<float>(options.max_width_ratio) * width, options.width_rows, &z);
+  }
+  LaserStripes& to = out.object;
+  to.laser = from.laser;
+  std::vector<std::int32_t> moved(from.points.size(), kNoPoint);
+  for (const StripeSegment& segment : from.segments) {
+    if (!segment.order) continue;
+    for (const Run& run : FindRuns(segment, z, threshold_mm, options)) {
+      if (run.place == Place::kObject) AppendSegment(from, segment, run.first, run.count, &moved, &to);
+      if (run.place == Place::kNeither) {
+        const auto first = z.begin() + run.first;
+        out.below +=
+            static_cast<int>(std::count_if(first, first + run.count, [](float x) { return !std::isnan(x); }));
+      }
+      if (run.place != Place::kBackplane) continue;
+      const auto first = from.points.begin() + run.first;
+      out.backplane.insert(out.backplane.end(), first, first + run.count);
+    }
+  }
+  const auto where = [&](std::int32_t i) {
+    return i == kNoPoint ? kNoPoint : moved[static_cast<std::size_t>(i)];
+  };
+  for (StripePoint& p : to.points) {
+    p.left = where(p.left);
+    p.right = where(p.right);
+    p.top = where(p.top);
+    p.bottom = where(p.bottom);
+  }
+  return out;
+}
+
 }  // namespace
 
 ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& orders,
@@ -155,40 +200,16 @@ ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& ord
   out.backplane_sd_mm = BackplaneDeviation(stripes, heights, options.min_height_mm);
   out.threshold_mm = std::max(options.min_height_mm, options.noise_factor * out.backplane_sd_mm);
   out.object.diagnostics = stripes.diagnostics;
-  for (std::size_t l = 0; l < stripes.lasers.size(); ++l) {
-    const LaserStripes& from = stripes.lasers[l];
-    const float width = UsualWidth(from, heights[l], out.threshold_mm);
-    if (width > 0.0F) {
-      const float widest = static_cast<float>(options.max_width_ratio) * width;
-      out.wide += DropWide(from, widest, options.width_rows, &heights[l]);
-    }
-    LaserStripes to;
-    to.laser = from.laser;
-    std::vector<std::int32_t> moved(from.points.size(), kNoPoint);
-    for (const StripeSegment& segment : from.segments) {
-      if (!segment.order) continue;
-      for (const Run& run : FindRuns(segment, heights[l], out.threshold_mm, options)) {
-        if (run.place == Place::kObject) AppendSegment(from, segment, run.first, run.count, &moved, &to);
-        if (run.place == Place::kNeither) {
-          const auto z = heights[l].begin() + run.first;
-          out.below +=
-              static_cast<int>(std::count_if(z, z + run.count, [](float x) { return !std::isnan(x); }));
-        }
-        if (run.place != Place::kBackplane) continue;
-        const auto first = from.points.begin() + run.first;
-        out.backplane.insert(out.backplane.end(), first, first + run.count);
-      }
-    }
-    const auto where = [&](std::int32_t i) {
-      return i == kNoPoint ? kNoPoint : moved[static_cast<std::size_t>(i)];
-    };
-    for (StripePoint& p : to.points) {
-      p.left = where(p.left);
-      p.right = where(p.right);
-      p.top = where(p.top);
-      p.bottom = where(p.bottom);
-    }
-    out.object.lasers.push_back(std::move(to));
+  std::vector<LaserSplit> splits(stripes.lasers.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(splits.size()), [&](std::int64_t i) {
+    const auto l = static_cast<std::size_t>(i);
+    splits[l] = SplitLaser(stripes.lasers[l], out.threshold_mm, options, std::move(heights[l]));
+  });
+  for (LaserSplit& split : splits) {
+    out.object.lasers.push_back(std::move(split.object));
+    out.backplane.insert(out.backplane.end(), split.backplane.begin(), split.backplane.end());
+    out.wide += split.wide;
+    out.below += split.below;
   }
   return out;
 }

@@ -19,7 +19,7 @@ namespace dorsum {
 namespace {
 
 constexpr float kClippedPeak = 200.0F;
-constexpr float kWholeInside = 10.0F;  // px from the outline from where a stripe shows its own strength
+constexpr int kWholeInside = 10;  // px from the outline from where a stripe shows its own strength
 constexpr std::size_t kLeastRows = 20;
 
 // The logarithm where the object is whole, smoothed without what lies beyond.
@@ -35,11 +35,14 @@ cv::Mat1f SmoothLogarithm(const cv::Mat& green, const cv::Mat1f& weight, double 
   return level / cv::max(share, 1e-6F);
 }
 
-cv::Mat1f DistanceInside(const cv::Mat& mask) {
-  cv::Mat framed;
-  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::distanceTransform(framed, framed, cv::DIST_L2, cv::DIST_MASK_5);
-  return framed(cv::Rect(1, 1, mask.cols, mask.rows));
+// What is left of the mask without everything within `margin_px` of its outline; the border of the picture is
+// one.
+cv::Mat1b Shrunk(const cv::Mat& mask, int margin_px, int shape) {
+  const cv::Size side(2 * margin_px + 1, 2 * margin_px + 1);
+  cv::Mat1b out;
+  cv::erode(mask != 0, out, cv::getStructuringElement(shape, side), {-1, -1}, 1, cv::BORDER_CONSTANT,
+            cv::Scalar(0));
+  return out;
 }
 
 }  // namespace
@@ -48,16 +51,15 @@ SurfaceBrightness::SurfaceBrightness(const cv::Mat& green, const cv::Mat& mask, 
                                      const SurfaceBrightnessOptions& options, const Context& context)
     : options_(options), part_(cv::boundingRect(mask)) {
   if (part_.empty()) return;
-  inside_px_ = DistanceInside(mask(part_));
+  inside_ = Shrunk(mask(part_), options.margin_px, cv::MORPH_ELLIPSE);
   cv::Mat1f weight;
-  cv::Mat(inside_px_ > static_cast<double>(options.margin_px)).convertTo(weight, CV_32F, 1.0 / 255.0);
+  inside_.convertTo(weight, CV_32F, 1.0 / 255.0);
   level_ = SmoothLogarithm(green(part_), weight, options.smooth_px);
   Compare(stripes, context);
 }
 
 bool SurfaceBrightness::IsInside(int u, int v) const {
-  return part_.contains({u, v}) &&
-         inside_px_(v - part_.y, u - part_.x) > static_cast<float>(options_.margin_px);
+  return part_.contains({u, v}) && inside_(v - part_.y, u - part_.x) != 0;
 }
 
 double SurfaceBrightness::LevelAt(double u, int v) const {
@@ -71,6 +73,8 @@ double SurfaceBrightness::LevelAt(double u, int v) const {
 
 void SurfaceBrightness::Compare(const IndexedStripes& stripes, const Context& context) {
   std::vector<RatioSample> all;
+  const cv::Mat1b whole_part =
+      Shrunk(inside_, std::max(0, kWholeInside - options_.margin_px), cv::MORPH_RECT);
   for (const LaserStripes& one : stripes.lasers) {
     std::map<int, std::vector<RatioSample>> by_order;
     for (const StripeSegment& s : one.segments) {
@@ -89,7 +93,7 @@ void SurfaceBrightness::Compare(const IndexedStripes& stripes, const Context& co
     for (auto& [order, samples] : by_order) {
       std::vector<float> whole;
       for (const RatioSample& s : samples) {
-        if (inside_px_(static_cast<int>(s.v), static_cast<int>(s.u)) > kWholeInside) whole.push_back(s.ratio);
+        if (whole_part(static_cast<int>(s.v), static_cast<int>(s.u)) != 0) whole.push_back(s.ratio);
       }
       if (whole.size() < kLeastRows) continue;
       const float strength = Median(std::move(whole));

@@ -48,8 +48,8 @@ class SurfaceBrightness {
 
   SurfaceBrightnessOptions options_;
   cv::Rect part_;
-  cv::Mat1f level_;      // smoothed logarithm of the picture
-  cv::Mat1f inside_px_;  // distance from the outline
+  cv::Mat1f level_;   // smoothed logarithm of the picture
+  cv::Mat1b inside_;  // 255 on the object, further from its outline than the margin
   std::map<std::pair<int, int>, double>
       strength_;           // by laser and order: of the peak's logarithm over the level
   BrightnessRatio ratio_;  // within the part

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/median.h"
+#include "base/parallel.h"
 #include "surface/lattice_mesh.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
@@ -69,23 +70,16 @@ class Fuser {
     SolveCoarsest();
     const Rim rim = TakeRimOff();
     const std::size_t compared = levels_.size() > 1 ? levels_.size() - 2 : 0;
-    for (std::size_t i = 0; i < levels_.size(); ++i) {
-      if (i > 0) {
-        levels_[i].stiffness = LocalStiffness(levels_[i - 1], levels_[i], {.mm_per_px = mm_per_px_});
-        Prolong(levels_[i - 1], &levels_[i]);
-      }
-      const double scale = std::max(1.0, 0.6 * levels_[i].step_px * mm_per_px_);
-      Solve(i, {scale, scale});
-      if (i == compared) LevelLasers(&levels_[i]);
-      if (i == compared) CompareLasers(rim, levels_[i]);
-    }
-    Judge();
-    PlateLattice& finest = levels_.back();
-    for (int r = 0; r < finest.z.rows; ++r) {
-      for (int c = 0; c < finest.z.cols; ++c) finest.z(r, c) += rim.Height(finest.U(c), finest.V(r));
-    }
-    out_.mesh = MeshLattice(finest, outline_, rays_, options_.max_slope_deg);
-    out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm);
+    for (std::size_t i = 0; i <= compared; ++i) SolveLevel(i);
+    LevelLasers(&levels_[compared]);
+    // What remains of the surface and the comparison of the lasers do not need each other.
+    const PlateLattice level = levels_[compared];
+    ParallelFor(context_, 0, 2, [&](std::int64_t part) {
+      if (part == 1) return CompareLasers(rim, level);
+      for (std::size_t i = compared + 1; i < levels_.size(); ++i) SolveLevel(i);
+      Judge();
+      MakeSurface(rim);
+    });
     out_.field.left_out = out_.misplaced + out_.outliers;
     return std::move(out_);
   }
@@ -114,6 +108,27 @@ class Fuser {
                             .max_gap_mm = options_.max_gap_mm})};
     while (levels_.back().step_px * mm_per_px_ < kCoarsestStepMm) levels_.push_back(Coarsen(levels_.back()));
     std::reverse(levels_.begin(), levels_.end());
+  }
+
+  // From the next coarser one, which tells how stiff the surface is.
+  void SolveLevel(std::size_t i) {
+    if (i > 0) {
+      levels_[i].stiffness = LocalStiffness(levels_[i - 1], levels_[i], {.mm_per_px = mm_per_px_});
+      Prolong(levels_[i - 1], &levels_[i]);
+    }
+    const double scale = std::max(1.0, 0.6 * levels_[i].step_px * mm_per_px_);
+    Solve(i, {scale, scale});
+  }
+
+  void MakeSurface(const Rim& rim) {
+    PlateLattice& finest = levels_.back();
+    for (int r = 0; r < finest.z.rows; ++r) {
+      for (int c = 0; c < finest.z.cols; ++c) {
+        if (finest.active(r, c) != 0) finest.z(r, c) += rim.Height(finest.U(c), finest.V(r));
+      }
+    }
+    out_.mesh = MeshLattice(finest, outline_, rays_, options_.max_slope_deg);
+    out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm);
   }
 
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
