@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "imaging/led_ratio.h"
 
+#include <cstdint>
+
 #include <opencv2/imgproc.hpp>
 
+#include "base/parallel.h"
 #include "captures/green_channel.h"
 
 namespace dorsum {
@@ -26,12 +29,14 @@ cv::Mat Green(const cv::Mat& image, int scale) {
 
 }  // namespace
 
-cv::Mat LedRatio(const cv::Mat& background, const cv::Mat& hand, int scale) {
-  cv::Mat before = Green(background, scale);
-  before = cv::max(before, kDarkest);
-  cv::Mat ratio = Green(hand, scale) / before;
-  cv::sqrt(ratio, ratio);
-  return ratio;
+cv::Mat LedRatio(const cv::Mat& background, const cv::Mat& hand, int scale, const Context& context) {
+  cv::Mat before, after;
+  ParallelFor(context, 0, 2,
+              [&](std::int64_t i) { (i == 0 ? before : after) = Green(i == 0 ? background : hand, scale); });
+  cv::max(before, kDarkest, before);
+  cv::divide(after, before, after);
+  cv::sqrt(after, after);
+  return after;
 }
 
 }  // namespace dorsum

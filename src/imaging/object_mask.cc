@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "base/parallel.h"
 #include "imaging/band_cut.h"
 #include "imaging/led_ratio.h"
 #include "imaging/object_outline.h"
@@ -82,6 +83,41 @@ void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area
   }
 }
 
+// The part of the picture that holds the object, found on pixels of double size, and what lies around its
+// outline; begins at a whole pixel of double size.
+cv::Rect FinePart(const cv::Mat& object, cv::Size picture) {
+  constexpr int kAround = 16;  // px
+  const cv::Rect box = cv::boundingRect(object);
+  if (box.empty()) return {};
+  const cv::Rect grown(2 * box.x - kAround, 2 * box.y - kAround, 2 * box.width + 2 * kAround,
+                       2 * box.height + 2 * kAround);
+  return grown & cv::Rect({0, 0}, picture);
+}
+
+// The outlines on single pixels, within a part of the picture.
+Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& object,
+                      const cv::Mat& texture, const std::vector<ObjectSeed>& seeds, const cv::Rect& part,
+                      const ObjectMaskOptions& options, const Context& context) {
+  const cv::Rect half(part.x / 2, part.y / 2, (part.width + 1) / 2, (part.height + 1) / 2);
+  BandCut fine;
+  fine.light = LedRatio(background(part), hand(part), 1, context);
+  cv::Mat large;
+  cv::resize(object(half), large, {2 * half.width, 2 * half.height}, 0, 0, cv::INTER_NEAREST);
+  fine.known = OpenOutline(large(cv::Rect({0, 0}, part.size())), kReach);
+  fine.texture = texture(half) * kFineTexture;
+  std::vector<ObjectSeed> own = seeds;
+  for (ObjectSeed& seed : own) {
+    seed.u -= static_cast<float>(part.x);
+    seed.v -= static_cast<float>(part.y);
+  }
+  fine.pull = options.seed_strength * CountVotes(own, part.size(), 1);
+  Outlines outlines = FindOutlines(CutInBand(fine), fine.light, fine.texture);
+  for (auto& outline : outlines) {
+    for (cv::Point2f& p : outline) p += cv::Point2f(part.tl());
+  }
+  return outlines;
+}
+
 double ContradictingShare(const std::vector<ObjectSeed>& seeds, const cv::Mat& mask) {
   const cv::Rect image({0, 0}, mask.size());
   int wrong = 0, all = 0;
@@ -105,12 +141,18 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   if (on_object < options.min_seeds) return ExtractHandMask(background, hand, options.picture_only, context);
 
   BandCut coarse;
-  coarse.light = LedRatio(background, hand, 2);
+  coarse.light = LedRatio(background, hand, 2, context);
   SeedMap map = MapSeeds(seeds, coarse.light, 2);
   SettleUnchanged(coarse.light, map.votes, &map.known);
   coarse.known = map.known;
-  coarse.texture = UsualTexture(coarse.light, map.known);
-  coarse.pull = options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
+  ParallelFor(context, 0, 2, [&](std::int64_t part) {
+    if (part == 0) {
+      coarse.texture = UsualTexture(coarse.light, map.known);
+    } else {
+      coarse.pull =
+          options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
+    }
+  });
   cv::add(coarse.pull, cv::Scalar(kBridgePull), coarse.pull, map.bridge);
   cv::Mat object = CutInBand(coarse);
   DropPieces(map.votes, 1.0F, 5, options.min_area_share * static_cast<double>(object.total()), &object);
@@ -118,15 +160,11 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   Sink(context, "mask/coarse", object);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
 
-  BandCut fine;
-  fine.light = LedRatio(background, hand, 1);
-  cv::resize(object, object, {object.cols * 2, object.rows * 2}, 0, 0, cv::INTER_NEAREST);
-  fine.known = OpenOutline(object(cv::Rect({0, 0}, hand.size())), kReach);
-  fine.texture = coarse.texture * kFineTexture;
-  fine.pull = options.seed_strength * CountVotes(seeds, hand.size(), 1);
-
   HandMask result;
-  result.outlines = FindOutlines(CutInBand(fine), fine.light, fine.texture);
+  const cv::Rect part = FinePart(object, hand.size());
+  if (!part.empty()) {
+    result.outlines = FineOutlines(background, hand, object, coarse.texture, seeds, part, options, context);
+  }
   result.mask = FillOutlines(result.outlines, hand.size());
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());

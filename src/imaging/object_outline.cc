@@ -35,15 +35,18 @@ std::size_t Wrapped(std::size_t i, int by, std::size_t size) {
 // Means over the neighbours along a closed curve, Gaussian weights.
 template <class T>
 std::vector<T> Smoothed(const std::vector<T>& values) {
+  std::array<float, 2 * kNeighbours + 1> weights{};
+  float total = 0.0F;
+  for (int k = -kNeighbours; k <= kNeighbours; ++k) {
+    const float w = std::exp(-0.5F * static_cast<float>(k * k) / (0.25F * kNeighbours * kNeighbours));
+    weights[static_cast<std::size_t>(k + kNeighbours)] = w;
+    total += w;
+  }
   std::vector<T> out(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     T sum{};
-    float total = 0.0F;
     for (int k = -kNeighbours; k <= kNeighbours; ++k) {
-      const std::size_t j = Wrapped(i, k, values.size());
-      const float w = std::exp(-0.5F * static_cast<float>(k * k) / (0.25F * kNeighbours * kNeighbours));
-      sum += values[j] * w;
-      total += w;
+      sum += values[Wrapped(i, k, values.size())] * weights[static_cast<std::size_t>(k + kNeighbours)];
     }
     out[i] = sum * (1.0F / total);
   }

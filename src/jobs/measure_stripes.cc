@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "captures/green_channel.h"
 #include "stripes/append_segment.h"
 #include "stripes/pooling.h"
@@ -29,17 +30,21 @@ void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask, const std
                     const ReconstructOptions& options, const Context& context, IndexedStripes* stripes) {
   PoolingOptions pooling = options.pooling;
   if (options.shading == "led") {
-    std::vector<LaserPicture> pictures;
-    for (const LaserStripes& one : stripes->lasers) {
-      const cv::Mat& picture = *capture.stripes[static_cast<std::size_t>(one.laser)];
-      pictures.push_back({GreenChannel(picture), noise.at(one.laser)});
-    }
+    std::vector<LaserPicture> pictures(stripes->lasers.size());
+    ParallelFor(context, 0, static_cast<std::int64_t>(pictures.size()), [&](std::int64_t i) {
+      const int laser = stripes->lasers[static_cast<std::size_t>(i)].laser;
+      pictures[static_cast<std::size_t>(i)] = {
+          GreenChannel(*capture.stripes[static_cast<std::size_t>(laser)]), noise.at(laser)};
+    });
     const SurfaceBrightness brightness(GreenChannel(capture.hand), mask, *stripes,
                                        options.surface_shading.brightness, context);
     FitOnShadedSurface(brightness, pictures, options.ridge.fit, options.surface_shading, context, stripes);
     pooling.pull.across_share *= options.surface_shading.left_over;
   }
-  for (LaserStripes& one : stripes->lasers) one = PoolAlongStripes(std::move(one), pooling, context);
+  ParallelFor(context, 0, static_cast<std::int64_t>(stripes->lasers.size()), [&](std::int64_t i) {
+    LaserStripes& one = stripes->lasers[static_cast<std::size_t>(i)];
+    one = PoolAlongStripes(std::move(one), pooling, context);
+  });
 }
 
 }  // namespace dorsum

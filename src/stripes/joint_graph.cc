@@ -234,10 +234,11 @@ std::vector<Facing> FindFacing(const Rows& rows, const JointSample& from, int pi
   return few;
 }
 
-// Ends of stripes that face other stripes along the columns.
-void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows, double observations,
-                         const JointGraphOptions& options, Builder* builder) {
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+// Ends of stripes, those of the pieces [first, last), that face other stripes along the columns.
+void CompareAlongColumns(const std::vector<JointPiece>& pieces, const Rows& rows, std::size_t first,
+                         std::size_t last, double observations, const JointGraphOptions& options,
+                         Builder* builder) {
+  for (std::size_t i = first; i < last; ++i) {
     const JointPiece& p = pieces[i];
     if (p.samples.empty()) continue;
     for (const int way : {-1, 1}) {
@@ -284,17 +285,18 @@ JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_row
     graph.unary.push_back(UnaryCosts(p, min_height_mm, max_height_mm, n, options));
   }
   const Rows rows = SortIntoRows(pieces);
-  // Bands of rows side by side; always as many, so that sums come out the same.
+  // Bands of rows, and parts of the pieces, side by side; always as many, so that sums come out the same.
   constexpr std::size_t kBands = 4;
   std::vector<Builder> bands(kBands, Builder(pieces, options));
   ParallelFor(context, 0, kBands, [&](std::int64_t band) {
     const auto k = static_cast<std::size_t>(band);
     CompareAlongRows(pieces, rows, k * rows.size() / kBands, (k + 1) * rows.size() / kBands, sample_rows,
                      each, options, &bands[k]);
+    CompareAlongColumns(pieces, rows, k * pieces.size() / kBands, (k + 1) * pieces.size() / kBands, each,
+                        options, &bands[k]);
   });
   Builder& builder = bands[0];
   for (std::size_t k = 1; k < kBands; ++k) builder.Add(bands[k]);
-  CompareAlongColumns(pieces, rows, each, options, &builder);
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (pieces[i].laser != pieces[i - 1].laser || pieces[i].segment != pieces[i - 1].segment) continue;
     builder.Continue(static_cast<int>(i - 1), static_cast<int>(i),

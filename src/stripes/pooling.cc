@@ -82,7 +82,7 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
       p.row_sd_px = static_cast<float>(std::hypot(curve.sd[k] * noise.per_curve[i] * alike, pull[k]));
       if (choice.half_rows == 0) continue;
       p.u = static_cast<float>(choice.estimate.u);
-      p.sd_px = static_cast<float>(std::hypot(choice.estimate.sd, pull[k]));
+      p.sd_px = static_cast<float>(std::hypot(options.choice_error * choice.estimate.sd, pull[k]));
     }
   });
   UpdateExtremes(&stripes);

@@ -12,6 +12,9 @@ struct PoolingOptions {
   int min_half_rows = 3;    // smallest window: this many rows to either side, 2 to 20
   int max_half_rows = 48;   // largest, rows
   double confidence = 2.7;  // windows grow while their estimates agree within this many standard deviations
+  // A window is chosen by what it shows, so its estimate errs by more than its own deviation says: by this
+  // much on boxes and hands of devices that choices were made on; 1 and more.
+  double choice_error = 1.08;
   RowNoiseOptions noise = {};
   BrightnessPullOptions pull = {};
 };

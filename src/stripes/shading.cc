@@ -82,7 +82,8 @@ double MedianWidth(const LaserStripes& stripes) {
 void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<LaserPicture>& pictures,
                         const ProfileFitOptions& fit, const ShadingOptions& options, const Context& context,
                         IndexedStripes* stripes) {
-  for (std::size_t k = 0; k < stripes->lasers.size(); ++k) {
+  ParallelFor(context, 0, static_cast<std::int64_t>(stripes->lasers.size()), [&](std::int64_t laser) {
+    const auto k = static_cast<std::size_t>(laser);
     LaserStripes& one = stripes->lasers[k];
     const LaserPicture& picture = pictures[k];
     const double usual_width = MedianWidth(one);
@@ -114,7 +115,7 @@ void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<L
     one.points = std::move(points);
     one = KeepPoints(one, keep);
     UpdateExtremes(&one);
-  }
+  });
 }
 
 }  // namespace dorsum
