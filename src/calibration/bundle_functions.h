@@ -71,11 +71,11 @@ Vector2<T> UndistortPixel(const T* lens, const Eigen::Vector2d& pixel) {
           n.y() - (inverse(1, 0) * miss[0] + inverse(1, 1) * miss[1])};
 }
 
-// The world point of a plane of known height that a pixel sees.
+// The world point of a plane of known height that is seen at a place of the undistorted picture, whose focal
+// length is 1.
 template <class T>
-Vector3<T> PointOnPlane(const T* lens, const Eigen::Matrix3d& camera_start, const T* camera_from_world,
-                        const T* plane, const Eigen::Vector2d& pixel) {
-  const Vector2<T> n = UndistortPixel(lens, pixel);
+Vector3<T> PointOnPlane(const Vector2<T>& n, const Eigen::Matrix3d& camera_start, const T* camera_from_world,
+                        const T* plane) {
   const Vector3<T> in_camera(n[0], n[1], T(1.0));
   const Vector3<T> translation(camera_from_world[3], camera_from_world[4], camera_from_world[5]);
   const T back[3] = {-camera_from_world[0], -camera_from_world[1], -camera_from_world[2]};
@@ -89,6 +89,13 @@ Vector3<T> PointOnPlane(const T* lens, const Eigen::Matrix3d& camera_start, cons
   const T t = (plane[0] + plane[1] * centre[0] + plane[2] * centre[1] - centre[2]) /
               (direction[2] - plane[1] * direction[0] - plane[2] * direction[1]);
   return centre + t * direction;
+}
+
+// The same for a pixel.
+template <class T>
+Vector3<T> PointOnPlane(const T* lens, const Eigen::Matrix3d& camera_start, const T* camera_from_world,
+                        const T* plane, const Eigen::Vector2d& pixel) {
+  return PointOnPlane<T>(UndistortPixel(lens, pixel), camera_start, camera_from_world, plane);
 }
 
 // DiffractedFan's Locate() and Order() with derivatives, by the same device as UndistortPixel.

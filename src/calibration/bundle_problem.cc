@@ -9,6 +9,7 @@
 #include <ceres/normal_prior.h>
 
 #include "calibration/bundle_functions.h"
+#include "calibration/stripe_residual.h"
 
 namespace dorsum {
 namespace {
@@ -47,20 +48,6 @@ struct LyingResidual {
     residual[0] = (board[5] - (plane[0] + plane[1] * board[3] + plane[2] * board[4])) / sd_mm;
     residual[1] = (normal[0] + plane[1]) / sd_rad;
     residual[2] = (normal[1] + plane[2]) / sd_rad;
-    return true;
-  }
-};
-
-struct StripeResidual {
-  Eigen::Matrix3d camera_start, fan_start;
-  Eigen::Vector2d pixel;
-  int order;
-  double sd_orders;
-
-  template <class T>
-  bool operator()(const T* lens, const T* camera, const T* plane, const T* fan, T* residual) const {
-    const bundle::Vector3<T> p = bundle::PointOnPlane<T>(lens, camera_start, camera, plane, pixel);
-    residual[0] = (bundle::OrderAt<T>(fan_start, fan, p) - static_cast<double>(order)) / sd_orders;
     return true;
   }
 };
@@ -159,9 +146,7 @@ class BundleBuilder {
     for (const SheetPoint& p : data_.points) {
       const double sd = std::hypot(p.sd_px, options_.point_sd_px) * p.orders_per_px;
       FanParameters& fan = s_.fans[static_cast<std::size_t>(p.laser)];
-      auto* cost =
-          new ceres::AutoDiffCostFunction<StripeResidual, 1, kLensSize, kPoseSize, kPlaneSize, kFanSize>(
-              new StripeResidual{s_.camera_from_world.start, fan.start, {p.u, p.v}, p.order, sd});
+      auto* cost = new StripeResidual(s_.camera_from_world.start, fan.start, {p.u, p.v}, p.order, sd);
       problem_.AddResidualBlock(cost, new ceres::CauchyLoss(options_.loss_scale), s_.lens.value.data(),
                                 s_.camera_from_world.value.data(),
                                 s_.planes[static_cast<std::size_t>(p.plane)].data(), fan.value.data());
