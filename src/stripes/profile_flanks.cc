@@ -2,6 +2,7 @@
 #include "stripes/profile_flanks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,19 +13,30 @@ namespace {
 constexpr int kReach = 12;  // columns to either side of the peak
 constexpr std::size_t kColumns = 2 * kReach + 1;
 
-// Grey values of one row around u, between pixels.
-void AddProfile(const std::uint8_t* row, int cols, double u, double sign, std::vector<double>* sum) {
+// Sums of rows' grey values around their own columns, in whole units, so that what was added can be taken off
+// again without a trace.
+using Sums = std::array<std::int32_t, kColumns>;
+constexpr int kUnit = 256;  // of a grey value
+
+// Adds `sign` times the grey values of one row around u, between pixels.
+void AddProfile(const std::uint8_t* row, int cols, double u, int sign, Sums* sum) {
   const double base = std::floor(u);
-  const double share = u - base;
+  const auto right = sign * static_cast<std::int32_t>(std::lround(kUnit * (u - base)));
+  const std::int32_t left = sign * kUnit - right;
   const int first = static_cast<int>(base) - kReach;
-  for (int i = 0; i < static_cast<int>(kColumns); ++i) {
-    const double a = row[std::clamp(first + i, 0, cols - 1)];
-    const double b = row[std::clamp(first + i + 1, 0, cols - 1)];
-    (*sum)[static_cast<std::size_t>(i)] += sign * (a + share * (b - a));
+  std::array<std::uint8_t, kColumns + 1> clamped;
+  const std::uint8_t* from = clamped.data();
+  if (first >= 0 && first + static_cast<int>(kColumns) < cols) {
+    from = row + first;
+  } else {
+    for (int i = 0; i <= static_cast<int>(kColumns); ++i) {
+      clamped[static_cast<std::size_t>(i)] = row[std::clamp(first + i, 0, cols - 1)];
+    }
   }
+  for (std::size_t i = 0; i < kColumns; ++i) (*sum)[i] += left * from[i] + right * from[i + 1];
 }
 
-double FallToHalf(const std::vector<double>& sum, std::size_t peak, int step) {
+double FallToHalf(const std::array<double, kColumns>& sum, std::size_t peak, int step) {
   // The background beside a stripe's foot, no further away than the next stripe's valley.
   double low = sum[peak];
   for (int i = 1; i <= kReach; ++i) {
@@ -44,7 +56,9 @@ double FallToHalf(const std::vector<double>& sum, std::size_t peak, int step) {
   return kReach;
 }
 
-ProfileFlanks FlanksOf(const std::vector<double>& sum) {
+ProfileFlanks FlanksOf(const Sums& whole) {
+  std::array<double, kColumns> sum;
+  for (std::size_t i = 0; i < kColumns; ++i) sum[i] = whole[i];
   auto peak = static_cast<std::size_t>(kReach);
   for (std::size_t i = kReach - 2; i <= kReach + 2; ++i) peak = sum[i] > sum[peak] ? i : peak;
   const double curve = sum[peak - 1] - 2.0 * sum[peak] + sum[peak + 1];
@@ -63,16 +77,16 @@ std::vector<ProfileFlanks> FlanksAlong(const cv::Mat& green, const std::vector<S
                                        int half_rows) {
   const auto n = static_cast<std::ptrdiff_t>(points.size());
   std::vector<ProfileFlanks> flanks(points.size());
-  std::vector<double> sum(kColumns, 0.0);
-  const auto add = [&](std::ptrdiff_t i, double sign) {
+  Sums sum{};
+  const auto add = [&](std::ptrdiff_t i, int sign) {
     const StripePoint& p = points[static_cast<std::size_t>(i)];
     AddProfile(green.ptr<std::uint8_t>(static_cast<int>(p.v)), green.cols, static_cast<double>(p.u), sign,
                &sum);
   };
-  for (std::ptrdiff_t i = 0; i < std::min<std::ptrdiff_t>(half_rows, n); ++i) add(i, 1.0);
+  for (std::ptrdiff_t i = 0; i < std::min<std::ptrdiff_t>(half_rows, n); ++i) add(i, 1);
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (i + half_rows < n) add(i + half_rows, 1.0);
-    if (i - half_rows - 1 >= 0) add(i - half_rows - 1, -1.0);
+    if (i + half_rows < n) add(i + half_rows, 1);
+    if (i - half_rows - 1 >= 0) add(i - half_rows - 1, -1);
     flanks[static_cast<std::size_t>(i)] = FlanksOf(sum);
   }
   return flanks;

@@ -23,8 +23,8 @@ namespace {
 constexpr float kLeastSigma = 0.01F;       // mm; no point is better than that
 constexpr float kStartStiffness = 100.0F;  // of the coarsest lattice, before curvatures are known
 constexpr double kCoarsestStepMm = 2.0;
-// Each level starts from the one before, so few steps of the solver bring it far below the points' noise.
-constexpr int kIterations = 80, kExactIterations = 200;
+// Each level starts from the one before, so these bring it far below the points' noise.
+constexpr int kIterations = 100, kExactIterations = 400;
 
 // How many mm of the object one pixel spans, at the points' median depth.
 double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
