@@ -51,10 +51,9 @@ struct JointPiece {
   std::optional<int> Candidate(int order) const;
 };
 
-// Cuts all segments of all lasers into pieces and works out every height that each of them may have: with
-// the pixel's ray fixed, 1 / (H - z) grows by an almost constant step from one order to the next, so three
-// heights of equation `OrderAtHeight` give all. A laser that `device` does not know, or whose model it does
-// not hold, gets no pieces. Pieces come by laser, segment and row.
+// Cuts all segments of all lasers into pieces and works out every height that each of them may have. A laser
+// that the device does not know, or whose model it does not hold, gets no pieces. Pieces come by laser,
+// segment and row.
 std::vector<JointPiece> CutPieces(const std::vector<LaserStripes>& stripes, const DeviceOrders& orders,
                                   const JointPieceOptions& options, const Context& context);
 

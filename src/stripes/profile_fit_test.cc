@@ -139,5 +139,39 @@ TEST(ProfileFit, ColumnsWithoutGainDoNotCount) {
   EXPECT_FALSE(FitProfile(row.data(), start, {}, {}).ok);
 }
 
+// Wide, narrow, clipped, cut and hopeless rows beside each other, more than there are lanes.
+TEST(ProfileFit, IsTheSameWhateverIsFittedBesideIt) {
+  Rng rng(7);
+  std::vector<std::vector<std::uint8_t>> rows;
+  std::vector<ProfileTask> tasks;
+  for (int i = 0; i < 53; ++i) {
+    const double width = 0.8 + 0.13 * i, amplitude = i % 9 == 0 ? 1.0 : 20.0 + 11.0 * i;
+    rows.push_back(Row(30.0 + 0.1 * (i % 7), width, amplitude, 5.0, 1.5, &rng, i % 5 == 0 ? 31.0 : 1e9));
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ProfileStart start = Start(30.4, i % 2 == 0 ? 2.0 : 4.0);
+    start.hold_width = i % 5 == 0;
+    if (i % 11 == 0) start.first = 29;
+    if (i == 20) start.last = 3;
+    tasks.push_back({rows[i].data(), start});
+  }
+  const NoiseModel noise{2.0, 0.05, 0.0};
+  const std::vector<ProfileFit> together = FitProfiles(tasks, noise, {});
+  int good = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const ProfileFit alone = FitProfile(tasks[i].row, tasks[i].start, noise, {});
+    EXPECT_EQ(together[i].ok, alone.ok) << i;
+    EXPECT_EQ(together[i].width_held, alone.width_held) << i;
+    if (!alone.ok) continue;
+    ++good;
+    EXPECT_EQ(together[i].u, alone.u) << i;
+    EXPECT_EQ(together[i].width, alone.width) << i;
+    EXPECT_EQ(together[i].sd_u, alone.sd_u) << i;
+  }
+  EXPECT_GT(good, 40);
+  EXPECT_FALSE(together[20].ok);
+  EXPECT_TRUE(FitProfiles({}, noise, {}).empty());
+}
+
 }  // namespace
 }  // namespace dorsum

@@ -15,56 +15,13 @@
 
 #include <hwy/highway.h>
 
+#include "stripes/lane_equations-inl.h"
 #include "stripes/profile_fit.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace dorsum::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<float, 16>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-
-HWY_INLINE V Set(float value) { return hn::Set(D(), value); }
-
-// exp to about 1e-7 of it, by its series around the nearest power of 2; without fused products, so that every
-// machine finds the same.
-HWY_INLINE V Exp(V x) {
-  const hn::RebindToSigned<D> di;
-  x = hn::Clamp(x, Set(-87.0F), Set(88.0F));
-  const auto n = hn::NearestInt(x * Set(1.44269504F));
-  const V whole = hn::ConvertTo(D(), n);
-  const V r = (x - whole * Set(0.693359375F)) - whole * Set(-2.12194440e-4F);
-  V y = Set(1.0F / 720.0F);
-  for (const float c : {1.0F / 120.0F, 1.0F / 24.0F, 1.0F / 6.0F, 0.5F, 1.0F, 1.0F}) y = y * r + Set(c);
-  return y * hn::BitCast(D(), hn::ShiftLeft<23>(n + hn::Set(di, 127)));
-}
-
-// Natural logarithm of positive normal numbers, by the series of atanh.
-HWY_INLINE V Log(V x) {
-  const hn::RebindToSigned<D> di;
-  const auto bits = hn::BitCast(di, x);
-  // The exponent that leaves a mantissa between sqrt(1/2) and sqrt(2).
-  const auto exponent = hn::ShiftRight<23>(bits - hn::Set(di, 0x3f3504f3));
-  const V m = hn::BitCast(D(), bits - hn::ShiftLeft<23>(exponent));
-  const V s = (m - Set(1.0F)) / (m + Set(1.0F)), q = s * s;
-  V y = Set(2.0F / 9.0F);
-  for (const float c : {2.0F / 7.0F, 2.0F / 5.0F, 2.0F / 3.0F, 2.0F}) y = y * q + Set(c);
-  return y * s + hn::ConvertTo(D(), exponent) * Set(0.69314718F);
-}
-
 enum class FitState : std::uint8_t { kIdle, kRunning, kFound, kFailed };
-
-// The lower half of a symmetric matrix of the four unknowns (centre, width, amplitude, background) by rows,
-// the right side of its equations, and the cost: the negative logarithm of the likelihood, times 2.
-struct Equations {
-  std::array<V, 10> matrix;
-  std::array<V, 4> right;
-  V cost;
-};
-
-constexpr std::size_t Entry(std::size_t i, std::size_t j) { return i * (i + 1) / 2 + j; }
 
 // Levenberg-Marquardt for one profile in every lane (profile_fit.h). Columns are counted from each lane's own
 // middle, near its start.
@@ -161,43 +118,6 @@ class Lanes {
   std::array<Floats, 2 * kMiddle + 1> grey_, gain_;
 };
 
-// Sums over the columns of each lane's window.
-class Sums {
- public:
-  Sums() {
-    e_.matrix.fill(Set(0.0F));
-    e_.right.fill(Set(0.0F));
-    e_.cost = Set(0.0F);
-    product_ = Set(1.0F);
-  }
-
-  HWY_INLINE void Add(const std::array<V, 4>& jacobian, V residual, V variance, M seen) {
-    const V weight = hn::IfThenElseZero(seen, Set(1.0F) / variance);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const V wj = weight * jacobian[i];
-      for (std::size_t j = 0; j <= i; ++j) e_.matrix[Entry(i, j)] = e_.matrix[Entry(i, j)] + wj * jacobian[j];
-      e_.right[i] = e_.right[i] + wj * residual;
-    }
-    e_.cost = e_.cost + weight * residual * residual;
-    // The weights move with the model, so the cost holds their logarithm too.
-    product_ = product_ * hn::IfThenElse(seen, variance, Set(1.0F));
-    if (++factors_ == 8) Close();
-  }
-
-  void Close() {
-    e_.cost = e_.cost + Log(product_);
-    product_ = Set(1.0F);
-    factors_ = 0;
-  }
-
-  Equations& equations() { return e_; }
-
- private:
-  Equations e_;
-  V product_;
-  int factors_ = 0;
-};
-
 inline Equations Lanes::Linearise() const {
   const V u = Get(next_u_), amplitude = Get(next_amplitude_), background = Get(next_background_);
   const V inverse = Set(1.0F) / Get(next_width_);
@@ -242,38 +162,6 @@ inline Equations Lanes::Linearise() const {
   e.right[2] = e.right[2] + weight * residual;
   e.cost = e.cost + weight * residual * residual;
   return e;
-}
-
-// The Cholesky factor of each lane's matrix, in place, with the reciprocals of its diagonal; false where the
-// matrix is not positive definite.
-HWY_INLINE M Factorise(std::array<V, 10>* matrix) {
-  std::array<V, 10>& a = *matrix;
-  M good = hn::Eq(Set(0.0F), Set(0.0F));
-  for (std::size_t i = 0; i < 4; ++i) {
-    const V whole = a[Entry(i, i)];
-    for (std::size_t j = 0; j < i; ++j) {
-      V sum = a[Entry(i, j)];
-      for (std::size_t k = 0; k < j; ++k) sum = sum - a[Entry(i, k)] * a[Entry(j, k)];
-      a[Entry(i, j)] = sum * a[Entry(j, j)];
-    }
-    V sum = whole;
-    for (std::size_t k = 0; k < i; ++k) sum = sum - a[Entry(i, k)] * a[Entry(i, k)];
-    good = hn::And(good, hn::And(hn::Gt(sum, Set(1e-6F) * whole), hn::Gt(sum, Set(0.0F))));
-    a[Entry(i, i)] = Set(1.0F) / hn::Sqrt(sum);
-  }
-  return good;
-}
-
-HWY_INLINE std::array<V, 4> Substitute(const std::array<V, 10>& a, std::array<V, 4> b) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] = b[i] - a[Entry(i, k)] * b[k];
-    b[i] = b[i] * a[Entry(i, i)];
-  }
-  for (std::size_t i = 4; i-- > 0;) {
-    for (std::size_t k = i + 1; k < 4; ++k) b[i] = b[i] - a[Entry(k, i)] * b[k];
-    b[i] = b[i] * a[Entry(i, i)];
-  }
-  return b;
 }
 
 inline void Lanes::Step() {
