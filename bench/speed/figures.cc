@@ -100,9 +100,10 @@ std::string SizeTable(const Measured& measured) {
     for (const std::string kind : {"size/megapixels:", "size/lasers:"}) {
       if (!name.starts_with(kind)) continue;
       const std::string number = name.substr(kind.size());
-      table.Row(
-          {kind.ends_with("lasers:") ? number + " lasers, 1.9 megapixels" : number + " megapixels, 4 lasers",
-           Cell(ms / Get(measured, "floor"))});
+      if (number.find('/') != std::string::npos) continue;  // a stage of it
+      const std::string lasers = number + (number == "1" ? " laser" : " lasers");
+      table.Row({kind.ends_with("lasers:") ? lasers + ", 1.9 megapixels" : number + " megapixels, 4 lasers",
+                 Cell(ms / Get(measured, "floor"))});
     }
   }
   return table.text();

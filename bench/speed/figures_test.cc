@@ -41,6 +41,15 @@ TEST(SpeedFigures, TablesSayWhatIsMissedAndWhatWasNotMeasured) {
   EXPECT_THAT(table, HasSubstr("not measured"));
 }
 
+TEST(SpeedFigures, SizesAreRowsWithoutTheirStages) {
+  Measured run = kRun;
+  run["size/lasers:1"] = 8.0;
+  run["size/lasers:1/mask"] = 1.0;
+  const std::string table = SizeTable(run);
+  EXPECT_THAT(table, HasSubstr("| 1 laser, 1.9 megapixels | 4.00 |"));
+  EXPECT_THAT(table, ::testing::Not(HasSubstr("mask")));
+}
+
 TEST(SpeedFigures, SurviveTheirFile) {
   const auto back = MeasuredFromJson(MeasuredToJson(kRun), "x");
   ASSERT_TRUE(back.ok());

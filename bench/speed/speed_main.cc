@@ -27,6 +27,11 @@ struct Arguments {
 Result<Measured> Measure(const Arguments& arguments, const Context& context) {
   const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
   DORSUM_ASSIGN_OR_RETURN(const SpeedScene scene, MakeSpeedScene({}, arguments.cache, context));
+  Measured all;
+  if (!arguments.brief) {  // first: a child's peak of memory begins at that of the process that starts it
+    DORSUM_ASSIGN_OR_RETURN(all, TimeProcesses(scene, bin / "dorsum", bin / "speed_imread", arguments.batch,
+                                               fs::path(arguments.cache) / "batch"));
+  }
   std::map<std::string, SpeedScene> others;
   const auto add = [&](const std::string& name, const SpeedDevice& device) -> Status {
     if (arguments.brief || arguments.no_sizes) return {};
@@ -45,15 +50,11 @@ Result<Measured> Measure(const Arguments& arguments, const Context& context) {
   }
   std::map<std::string, const SpeedScene*> sizes;
   for (const auto& [size, other] : others) sizes[size] = &other;
-  Measured all = RunBenches(scene, sizes);
+  all.merge(RunBenches(scene, sizes));
   all.merge(CountAllocations(scene));
   if (arguments.brief) return all;
   DORSUM_ASSIGN_OR_RETURN(Measured calibration, TimeCalibration(scene));
   all.merge(calibration);
-  DORSUM_ASSIGN_OR_RETURN(Measured processes,
-                          TimeProcesses(scene, bin / "dorsum", bin / "speed_imread", arguments.batch,
-                                        fs::path(arguments.cache) / "batch"));
-  all.merge(processes);
   return all;
 }
 
