@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include <Eigen/Core>
 #include <ceres/sized_cost_function.h>
 
@@ -15,9 +17,13 @@ namespace dorsum {
 // parameters at once.
 class StripeResidual : public ceres::SizedCostFunction<1, kLensSize, kPoseSize, kPlaneSize, kFanSize> {
  public:
-  StripeResidual(const Eigen::Matrix3d& camera_start, const Eigen::Matrix3d& fan_start,
-                 const Eigen::Vector2d& pixel, int order, double sd_orders)
-      : camera_start_(camera_start), fan_start_(fan_start), pixel_(pixel), order_(order), sd_(sd_orders) {}
+  StripeResidual(Eigen::Matrix3d camera_start, Eigen::Matrix3d fan_start, Eigen::Vector2d pixel, int order,
+                 double sd_orders)
+      : camera_start_(std::move(camera_start)),
+        fan_start_(std::move(fan_start)),
+        pixel_(std::move(pixel)),
+        order_(order),
+        sd_(sd_orders) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
