@@ -25,7 +25,7 @@ class DeviceOrders {
   // The same, from the sheets themselves.
   std::optional<RayOrders> Exactly(const LaserGeometry& laser, double u, double v) const;
 
-  static constexpr double kSlackMm = 10.0;
+  static constexpr double kSlackMm = 3.0;
 
  private:
   struct Map {
