@@ -17,6 +17,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/DorsumConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/DorsumDependencies.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindOpenCV.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindSerialPort.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindSodium.cmake"
   DESTINATION "${package_folder}")
 if(DORSUM_INSTALLED_LAYERS)
