@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -19,8 +20,27 @@ struct Stage {
 };
 Result<Stage> SetStage(const VirtualDevice& device, Scene scene, const Context& context);
 
-// Pictures (8-bit BGR) of a stage: under the LEDs, under one laser, and in the dark (daylight only, as the
-// document's background pictures of §3.2). The same seed gives the same bytes at any number of threads.
+// What is switched on before a stage.
+struct SceneLight {
+  bool leds = false;             // and with them the longer daylight of their exposure
+  std::vector<int> lasers = {};  // each once
+};
+
+// Light on the sensor (CV_32F, 1 is full scale) of a stage, without noise.
+struct SensorLight {
+  cv::Mat steady;  // of LEDs and daylight
+  cv::Mat laser;   // gets speckle; empty where no laser is on
+};
+Result<SensorLight> TraceLight(const VirtualDevice& device, const Stage& stage, const SceneLight& on,
+                               const Context& context);
+
+// A picture (8-bit BGR) of that light. Speckle stays as long as nothing moves; the sensor's noise is another
+// in each frame. The same seeds give the same bytes at any number of threads.
+Result<cv::Mat> ExposePicture(const VirtualDevice& device, const SensorLight& light,
+                              std::uint64_t speckle_seed, std::uint64_t sensor_seed, const Context& context);
+
+// Both steps in one: under the LEDs, under one laser, and in the dark (daylight only, as the document's
+// background pictures of §3.2).
 Result<cv::Mat> RenderLeds(const VirtualDevice& device, const Stage& stage, std::uint64_t seed,
                            const Context& context);
 Result<cv::Mat> RenderLaser(const VirtualDevice& device, const Stage& stage, int laser, std::uint64_t seed,
