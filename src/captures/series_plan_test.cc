@@ -48,7 +48,7 @@ TEST(SeriesPlan, EveryStepSaysWhatToDo) {
 
 TEST(SeriesPlan, TheSetupIsThatOfTheDevice) {
   const DeviceDescription device = DefaultDevice();
-  const Setup setup = SetupOf(device);
+  const dorsum::Setup setup = SetupOf(device);
   EXPECT_EQ(setup.board_columns, 11);
   EXPECT_EQ(setup.width, 1600);
   EXPECT_EQ(setup.box_heights_mm.size(), 5U);
