@@ -14,6 +14,29 @@
 namespace dorsum {
 namespace {
 
+void ReadCameraSettings(DeviceSection& s, CameraDesign& camera) {
+  const bool raw = s.ReadChoice("stream_format", "mjpeg", "raw", camera.stream_format == "raw");
+  camera.stream_format = raw ? "raw" : "mjpeg";
+  for (const auto& [key, exposure] : {std::pair{"laser_exposure_s", &camera.laser_exposure_s},
+                                      {"led_exposure_s", &camera.led_exposure_s}}) {
+    s.Read(key, *exposure, 0, 10);
+    if (*exposure != 0.0 && *exposure < 0.0001) {
+      s.Fail(key, DeviceSection::Text(*exposure), "0 (left as it is) or from 0.0001 to 10");
+    }
+  }
+  if ((camera.laser_exposure_s == 0.0) != (camera.led_exposure_s == 0.0)) {
+    s.Fail(camera.led_exposure_s == 0.0 ? "led_exposure_s" : "laser_exposure_s", "0",
+           "given when the other exposure is");
+  }
+  s.Read("gain", camera.gain, -1, 65535);
+  s.Read("focus", camera.focus, -1, 65535);
+  s.Read("white_balance_k", camera.white_balance_k, 0, 20000);
+  if (camera.white_balance_k != 0 && camera.white_balance_k < 1000) {
+    s.Fail("white_balance_k", std::to_string(camera.white_balance_k),
+           "0 (left as it is) or from 1000 to 20000");
+  }
+}
+
 void ReadCamera(DeviceSection s, CameraDesign& camera) {
   s.Read("source", camera.source);
   std::array<double, 2> size = {double(camera.width), double(camera.height)};
@@ -32,6 +55,7 @@ void ReadCamera(DeviceSection s, CameraDesign& camera) {
   if (camera.stream_jpeg_quality != 0 && camera.stream_jpeg_quality < 30) {
     s.Fail("stream_jpeg_quality", std::to_string(camera.stream_jpeg_quality), "0 (none) or from 30 to 100");
   }
+  ReadCameraSettings(s, camera);
   s.RefuseUnknownKeys();
 }
 

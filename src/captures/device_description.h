@@ -20,9 +20,12 @@ namespace dorsum {
 // accepts.
 
 struct CameraDesign {
-  std::string source;               // what the camera driver is told; empty: the first camera
-  int width = 1600, height = 1200;  // px, 64 to 10000
-  double focal_length_px = 2080.0;  // 50 to 100000
+  // Where pictures come from: empty: the first camera; "2" or "/dev/video2": that one; "http://…",
+  // "rtsp://…": a network stream; a video file; a folder of images; "virtual[:SEED]". Paths count from the
+  // working folder.
+  std::string source;
+  int width = 1600, height = 1200;                                         // px, 64 to 10000
+  double focal_length_px = 2080.0;                                         // 50 to 100000
   std::array<double, 5> distortion = {-0.11, 0.06, 0.0003, -0.0002, 0.0};  // k1 k2 p1 p2 k3, each -2 to 2
   Eigen::Vector3d position_mm{-118.0, 0.0, 386.0};                         // z 100 to 3000
   Eigen::Vector3d look_at_mm{14.0, 0.0, 0.0};
@@ -30,6 +33,13 @@ struct CameraDesign {
   int jpeg_quality = 94;        // 50 to 100; colour at half resolution (4:2:0), as cameras write it
   int stream_jpeg_quality = 0;  // of the JPEG stream through which a webcam sends its pictures, before they
                                 // are written to files: 30 to 100; 0: none
+  // What a camera at /dev/video is set to; a stream or a recording has been set up by whoever made it.
+  std::string stream_format = "mjpeg";  // mjpeg | raw: what it is asked to send
+  double laser_exposure_s = 0.0;        // of pictures of a laser, and of those under the LEDs: 0.0001 to 10;
+  double led_exposure_s = 0.0;          // both 0: the camera's exposure is left as it is
+  int gain = -1;                        // in the driver's units, 0 to 65535; -1: left as it is
+  int focus = -1;                       // the same
+  int white_balance_k = 0;              // kelvin, 1000 to 20000; 0: left as it is
 };
 
 // From light on the lens to numbers in the file.

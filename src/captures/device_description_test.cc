@@ -144,6 +144,46 @@ TEST_F(DeviceDescriptionTest, WrongTypesAreRefused) {
   EXPECT_THAT(MessageOf("name = 4\n" + std::string(kLaser) + kLed), HasSubstr("text in quotes"));
 }
 
+TEST_F(DeviceDescriptionTest, CameraSettingsAreReadAndLeftAsTheyAreByDefault) {
+  const std::string lights = std::string(kLaser) + kLed + "[camera]\n";
+  const auto bare = Read(lights);
+  const auto shipped = ReadDeviceDescription("devices/four-lasers.toml");
+  ASSERT_TRUE(bare.ok() && shipped.ok());
+  for (const CameraDesign& camera : {bare->camera, shipped->camera}) {
+    EXPECT_EQ(camera.stream_format, "mjpeg");
+    EXPECT_EQ(camera.laser_exposure_s, 0.0);
+    EXPECT_EQ(camera.led_exposure_s, 0.0);
+    EXPECT_EQ(camera.gain, -1);
+    EXPECT_EQ(camera.focus, -1);
+    EXPECT_EQ(camera.white_balance_k, 0);
+  }
+  const auto set = Read(lights +
+                        "source = \"/dev/video2\"\nstream_format = \"raw\"\nlaser_exposure_s = 0.004\n"
+                        "led_exposure_s = 0.02\ngain = 0\nfocus = 30\nwhite_balance_k = 4600\n");
+  ASSERT_TRUE(set.ok()) << set.error().message;
+  EXPECT_EQ(set->camera.source, "/dev/video2");
+  EXPECT_EQ(set->camera.stream_format, "raw");
+  EXPECT_EQ(set->camera.laser_exposure_s, 0.004);
+  EXPECT_EQ(set->camera.led_exposure_s, 0.02);
+  EXPECT_EQ(set->camera.gain, 0);
+  EXPECT_EQ(set->camera.focus, 30);
+  EXPECT_EQ(set->camera.white_balance_k, 4600);
+}
+
+TEST_F(DeviceDescriptionTest, CameraSettingsOutOfRangeAreRefused) {
+  const std::string lights = std::string(kLaser) + kLed + "[camera]\n";
+  EXPECT_THAT(MessageOf(lights + "stream_format = \"h264\"\n"),
+              AllOf(HasSubstr("camera.stream_format"), HasSubstr("mjpeg"), HasSubstr("raw")));
+  EXPECT_THAT(MessageOf(lights + "laser_exposure_s = 0.00001\nled_exposure_s = 0.01\n"),
+              AllOf(HasSubstr("camera.laser_exposure_s"), HasSubstr("from 0.0001 to 10")));
+  EXPECT_THAT(MessageOf(lights + "laser_exposure_s = 0.01\n"),
+              AllOf(HasSubstr("camera.led_exposure_s"), HasSubstr("given when the other exposure is")));
+  EXPECT_THAT(MessageOf(lights + "led_exposure_s = 0.01\n"), HasSubstr("camera.laser_exposure_s"));
+  EXPECT_THAT(MessageOf(lights + "gain = -2\n"), HasSubstr("camera.gain"));
+  EXPECT_THAT(MessageOf(lights + "white_balance_k = 46\n"),
+              AllOf(HasSubstr("camera.white_balance_k"), HasSubstr("from 1000 to 20000")));
+}
+
 TEST_F(DeviceDescriptionTest, NumberOfLasersIsOneToEight) {
   EXPECT_THAT(MessageOf(kLed), AllOf(HasSubstr("laser"), HasSubstr("1 to 8")));
   EXPECT_THAT(MessageOf("laser = []\n" + std::string(kLed)), HasSubstr("1 to 8"));
