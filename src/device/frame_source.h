@@ -37,6 +37,13 @@ class FrameSource {
   virtual cv::Size size() const = 0;
   virtual std::string name() const = 0;                   // for people: "camera /dev/video0"
   virtual std::vector<std::string> warnings() const = 0;  // settings that could not be made, a sentence each
+
+  // Whether time_s is known to be the exposure's own, within some milliseconds. A camera's is not: a frame
+  // may have waited in queues that nobody sees before it was stamped.
+  virtual bool stamps_exposure() const { return false; }
+  // Whether two frames are never equal byte for byte, as a sensor's noise has it: then a source that repeats
+  // itself has frozen.
+  virtual bool never_repeats() const { return false; }
 };
 
 }  // namespace dorsum
