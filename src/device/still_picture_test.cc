@@ -28,7 +28,7 @@ cv::Mat StripesAt(int phase) {
     image.colRange(x, std::min(x + 3, kSize.width)) = cv::Scalar(12, 180, 15);
   return image;
 }
-cv::Mat UnderLeds() { return cv::Mat(kSize, CV_8UC3, cv::Scalar(110, 120, 100)); }
+cv::Mat UnderLeds() { return {kSize, CV_8UC3, cv::Scalar(110, 120, 100)}; }
 
 cv::Mat Noisy(const cv::Mat& image, double sigma, int seed) {
   cv::Mat noise(image.size(), CV_16SC3), sum;

@@ -95,10 +95,14 @@ class Reader {
       }
       VideoInput::Picture picture = std::move(**read);
       if (picture.image.empty()) {
-        if (MonotonicSeconds() - whole_s < limits_.silence_s && kind_ != VideoKind::kRecording) continue;
+        if (kind_ == VideoKind::kRecording) {
+          return DeviceError(name_ + " is damaged or cut off at frame " + std::to_string(number) +
+                             ", counted from 0; copy or record it again");
+        }
+        if (MonotonicSeconds() - whole_s < limits_.silence_s) continue;
         return DeviceError(name_ +
-                           " sends damaged pictures only; check its cable, or choose a lower "
-                           "resolution or another stream_format");
+                           " sends damaged pictures only; check its cable, or choose a lower resolution or "
+                           "another stream_format");
       }
       whole_s = MonotonicSeconds();
       if (picture.image.size() != size_) {

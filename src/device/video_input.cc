@@ -2,11 +2,12 @@
 #include "device/video_input.h"
 
 #include <cerrno>
-#include <cmath>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
@@ -21,6 +22,8 @@ namespace dorsum {
 namespace {
 
 constexpr std::int64_t kPoll_ns = 100'000'000;
+constexpr int kMaxFailures = 5;
+constexpr auto kAfterFailure = std::chrono::milliseconds(20);
 constexpr double kOldest_s = 5.0;  // a driver's stamp further back is of another clock
 
 std::string Seconds(double s) {
@@ -52,8 +55,12 @@ cv::Mat Decoded(const cv::Mat& raw) {
 
 class OpenCvInput : public VideoInput {
  public:
-  OpenCvInput(VideoKind kind, std::string name, const CameraDesign& design, const VideoLimits& limits)
-      : kind_(kind), name_(std::move(name)), design_(design), limits_(limits), properties_(captures_[0]) {}
+  OpenCvInput(VideoKind kind, std::string name, CameraDesign design, const VideoLimits& limits)
+      : kind_(kind),
+        name_(std::move(name)),
+        design_(std::move(design)),
+        limits_(limits),
+        properties_(captures_[0]) {}
 
   Status OpenCamera(const std::string& device) {
     // VideoCapture does not say why it cannot open, so that is found out first.
@@ -102,7 +109,10 @@ class OpenCvInput : public VideoInput {
         return Silent();
       }
       const double asked_s = MonotonicSeconds();
-      if (!capture().grab()) return WhyNoMore(MonotonicSeconds() - asked_s);
+      if (!capture().grab()) {
+        if (kind_ == VideoKind::kCamera && Forgive()) return std::optional<Picture>();
+        return WhyNoMore(MonotonicSeconds() - asked_s);
+      }
       Picture picture;
       picture.time_s = Stamp();
       cv::Mat image;
@@ -110,8 +120,10 @@ class OpenCvInput : public VideoInput {
       if (picture.image.type() != CV_8UC3) picture.image.release();
       last_s_ = MonotonicSeconds();
       ++frames_read_;
+      failures_ = 0;
       return std::optional(std::move(picture));
     } catch (const cv::Exception&) {
+      if (kind_ == VideoKind::kCamera && Forgive()) return std::optional<Picture>();
       return DeviceError(name_ + " is gone; check its cable and plug it in again");
     }
   }
@@ -140,6 +152,13 @@ class OpenCvInput : public VideoInput {
   bool Wait() {
     std::vector<int> ready;
     return cv::VideoCapture::waitAny(captures_, ready, kPoll_ns) && !ready.empty();
+  }
+
+  // A single transfer may fail; a camera that was unplugged fails at each.
+  bool Forgive() {
+    if (++failures_ >= kMaxFailures) return false;
+    std::this_thread::sleep_for(kAfterFailure);
+    return true;
   }
 
   // Video4Linux stamps frames by the clock of MonotonicSeconds() when it works as it should.
@@ -180,6 +199,7 @@ class OpenCvInput : public VideoInput {
   double last_s_ = MonotonicSeconds();
   double frames_promised_ = 0.0;
   long frames_read_ = 0;
+  int failures_ = 0;  // in a row
 };
 
 }  // namespace
