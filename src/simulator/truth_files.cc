@@ -13,6 +13,7 @@
 #include <zlib.h>
 
 #include "base/files.h"
+#include "captures/picture_file.h"
 
 namespace dorsum {
 namespace {
@@ -107,18 +108,8 @@ Status WriteReferencePly(const TriangleMesh& mesh, const std::filesystem::path& 
 }
 
 Status WritePicture(const CameraDesign& camera, const cv::Mat& picture, const std::filesystem::path& stem) {
-  cv::Mat sent = picture;
-  if (camera.stream_jpeg_quality > 0) {
-    std::vector<unsigned char> stream;
-    if (!cv::imencode(".jpg", picture, stream, {cv::IMWRITE_JPEG_QUALITY, camera.stream_jpeg_quality})) {
-      return Error{ErrorCode::kInternal, "cannot encode " + stem.string()};
-    }
-    sent = cv::imdecode(stream, cv::IMREAD_COLOR);
-  }
-  if (camera.format == "png") {
-    return WriteEncoded(sent, ".png", {cv::IMWRITE_PNG_COMPRESSION, 3}, stem.string() + ".png");
-  }
-  return WriteEncoded(sent, ".jpg", {cv::IMWRITE_JPEG_QUALITY, camera.jpeg_quality}, stem.string() + ".jpg");
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat sent, ThroughStream(camera, picture));
+  return WritePictureFile(camera, sent, stem);
 }
 
 }  // namespace dorsum

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jobs/live_series.h"
+
+#include <atomic>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "captures/calibration_series.h"
+#include "captures/image_file.h"
+#include "device/hooked_device_test.h"
+#include "jobs/calibrate.h"
+#include "jobs/virtual_device_test.h"
+
+namespace dorsum {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The virtual attendant, with hooks for what a person gets wrong.
+class HookedAttendant : public Attendant {
+ public:
+  explicit HookedAttendant(Device& device) : device_(device), inner_(MakeVirtualAttendant(device.bench)) {}
+
+  Status Arrange(const SeriesStep& step, const std::string& words, const std::function<Status()>& keep_lit,
+                 const Context& context) override {
+    said.push_back(words);
+    DORSUM_RETURN_IF_ERROR(keep_lit());
+    guided.push_back(device_.bench->On());
+    if (before) DORSUM_RETURN_IF_ERROR(before(static_cast<int>(said.size()) - 1));
+    if (skip && skip(step, static_cast<int>(said.size()) - 1)) return {};
+    return inner_->Arrange(step, words, keep_lit, context);
+  }
+  void Tell(const std::string& words) override { told.push_back(words); }
+
+  std::vector<std::string> said, told;
+  std::vector<ChannelSet> guided;
+  std::function<Status(int call)> before;
+  std::function<bool(const SeriesStep& step, int call)> skip;  // the person leaves all as it lies
+
+ private:
+  Device& device_;
+  std::unique_ptr<Attendant> inner_;
+};
+
+class LiveSeriesTest : public ::testing::Test {
+ protected:
+  LiveSeriesTest() : device_(OpenFixtureDevice(dir_)), attendant_(device_) { request_.dir = dir_ / "series"; }
+  Result<LiveSeriesSummary> Take(const Context& context = {}) {
+    return TakeCalibrationSeries(device_, attendant_, request_, context);
+  }
+
+  TempFolder dir_;
+  Device device_;
+  HookedAttendant attendant_;
+  LiveSeriesRequest request_;
+};
+
+TEST_F(LiveSeriesTest, AWholeSeriesCalibratesAndEveryLaserGuidesItsBoard) {
+  const auto summary = Take();
+  ASSERT_TRUE(summary.ok()) << summary.error().message;
+  EXPECT_EQ(summary->steps, 12 + 2 + 1 + 6 + 3);
+  EXPECT_EQ(summary->kept, 0);
+  EXPECT_GT(summary->board_coverage, 0.6);
+  EXPECT_EQ(attendant_.told.size(), 12U);
+  EXPECT_NE(attendant_.told.back().find("Chessboard 12 of 12"), std::string::npos);
+  EXPECT_TRUE(attendant_.guided[0].test(1));
+  EXPECT_TRUE(attendant_.guided[5].none());
+  EXPECT_TRUE(device_.bench->On().none());
+  const auto series = LoadCalibrationSeries(request_.dir);
+  ASSERT_TRUE(series.ok()) << series.error().message;
+  EXPECT_TRUE(series->warnings.empty());
+  const auto run = CalibrateFolder(request_.dir, dir_ / "calibration.json", {}, {});
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  for (const PartReport& part : run->calibration.parts) EXPECT_NE(part.grade, Grade::kBad) << part.part;
+
+  // A second run has nothing to do.
+  attendant_.said.clear();
+  const auto again = Take();
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->kept, again->steps);
+  EXPECT_TRUE(attendant_.said.empty());
+  EXPECT_EQ(again->board_coverage, summary->board_coverage);
+}
+
+TEST_F(LiveSeriesTest, AnInterruptedSeriesGoesOnWhereItEnded) {
+  attendant_.before = [](int call) { return call == 14 ? Status(Cancelled()) : Status(); };
+  const auto broken = Take();
+  ASSERT_FALSE(broken.ok());
+  EXPECT_EQ(broken.error().code, ErrorCode::kCancelled);
+  EXPECT_TRUE(device_.bench->On().none());
+  EXPECT_TRUE(FindImage(request_.dir, "chess11").has_value());
+  EXPECT_TRUE(FindImage(request_.dir, "bgNoHand").has_value());
+  attendant_.before = [](int call) { return call == 16 ? Status(Cancelled()) : Status(); };
+  const auto further = Take();
+  ASSERT_FALSE(further.ok());
+  // The step that was broken off is asked for again, and none before it.
+  EXPECT_EQ(attendant_.said[15], attendant_.said[14]);
+}
+
+TEST_F(LiveSeriesTest, ABoardThatIsNotThereIsAskedForAgain) {
+  attendant_.skip = [](const SeriesStep&, int call) { return call == 0; };
+  attendant_.before = [](int call) { return call == 2 ? Status(Cancelled()) : Status(); };
+  EXPECT_EQ(Take().error().code, ErrorCode::kCancelled);
+  ASSERT_EQ(attendant_.said.size(), 3U);
+  EXPECT_EQ(attendant_.said[1].rfind("Again: the chessboard of 11 x 8 inner corners is not seen whole", 0),
+            0U)
+      << attendant_.said[1];
+  EXPECT_TRUE(FindImage(request_.dir, "chess00").has_value());
+}
+
+TEST_F(LiveSeriesTest, ABoardThatWasNotMovedIsAskedForAgain) {
+  attendant_.skip = [](const SeriesStep& step, int call) { return step.number == 1 && call == 1; };
+  attendant_.before = [](int call) { return call == 3 ? Status(Cancelled()) : Status(); };
+  EXPECT_EQ(Take().error().code, ErrorCode::kCancelled);
+  EXPECT_NE(attendant_.said[2].find("lies as it did before"), std::string::npos) << attendant_.said[2];
+}
+
+TEST_F(LiveSeriesTest, AStepThatNeverSucceedsIsGivenUpInASentence) {
+  attendant_.skip = [](const SeriesStep&, int) { return true; };
+  request_.tries = 3;
+  const auto result = Take();
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::kBadInput);
+  EXPECT_EQ(attendant_.said.size(), 3U);
+  EXPECT_FALSE(FindImage(request_.dir, "chess00").has_value());
+}
+
+TEST_F(LiveSeriesTest, ASeriesOfAnotherDeviceIsNotContinued) {
+  fs::create_directories(request_.dir);
+  ASSERT_TRUE(WriteFile(request_.dir / "setup.json", R"({"chessboard": {"square_mm": 3.0}})").ok());
+  const auto result = Take();
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::kBadInput);
+  EXPECT_TRUE(attendant_.said.empty());
+}
+
+TEST_F(LiveSeriesTest, ATruncatedPictureOfAnEarlierRunIsTakenAgain) {
+  attendant_.before = [](int call) { return call == 2 ? Status(Cancelled()) : Status(); };
+  ASSERT_FALSE(Take().ok());
+  fs::resize_file(request_.dir / "chess01.png", 1000);
+  attendant_.before = [](int call) { return call == 4 ? Status(Cancelled()) : Status(); };
+  ASSERT_FALSE(Take().ok());
+  EXPECT_TRUE(ReadImage(request_.dir / "chess01.png").ok());
+}
+
+TEST_F(LiveSeriesTest, ALaserThatStaysDarkStopsTheSeriesBeforeItsPicturesAreWritten) {
+  attendant_.before = [&](int call) {
+    if (call == 12)
+      Hook(device_)->set = [](int, const ChannelSet& on) {
+        return on.test(2) ? Status(Error{ErrorCode::kDevice, "laser 2 burnt out; replace it"}) : Status();
+      };
+    return Status();
+  };
+  const auto result = Take();
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::kDevice);
+  EXPECT_FALSE(FindImage(request_.dir, "bgNoHand").has_value());
+  EXPECT_TRUE(device_.bench->On().none());
+}
+
+}  // namespace
+}  // namespace dorsum
