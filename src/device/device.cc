@@ -39,7 +39,7 @@ Result<Device> OpenDevice(const std::string& which, const Context& context) {
   if (const auto seed = VirtualSeed(description.camera.source)) {
     return MakeVirtual(which, std::move(description), *seed, context.threads);
   }
-  return OpenRealDevice(which, std::move(description));
+  return OpenRealDevice(which, std::move(description), context);
 }
 
 ChannelSet LaserChannel(const DeviceDescription& description, int laser) {

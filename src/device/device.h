@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/context.h"
@@ -20,7 +21,8 @@ struct Device {
   DeviceDescription description;
   std::unique_ptr<FrameSource> frames;
   std::unique_ptr<Lights> lights;
-  std::shared_ptr<VirtualBench> bench;  // only of a virtual device: what stands before it
+  std::shared_ptr<VirtualBench> bench;    // only of a virtual device: what stands before it
+  std::optional<FrameLight> exposed_for;  // what the camera was last told to expose for
 };
 
 // Opens `device.toml`, or `virtual[:SEED]`, which is the built-in four-laser device with the mounting errors

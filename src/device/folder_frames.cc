@@ -53,6 +53,11 @@ Status FolderFrames::Show(const std::string& name) {
   return {};
 }
 
+void FolderFrames::ShowBlack() {
+  shown_ = cv::Mat::zeros(size_, CV_8UC3);
+  shows_ = true;
+}
+
 Result<Frame> FolderFrames::Next(double timeout_s) {
   if (shows_) {
     const double wait_s = shown_at_s_ + kInterval_s - MonotonicSeconds();

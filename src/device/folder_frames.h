@@ -26,6 +26,8 @@ class FolderFrames : public FrameSource {
 
   // NAME.png, .jpg or .jpeg; an error of input where there is none, and then nothing changes.
   Status Show(const std::string& name);
+  // The same with a black picture, for lights that are off.
+  void ShowBlack();
 
   Result<Frame> Next(double timeout_s) override;
   Status ExposeFor(FrameLight) override { return {}; }  // they were exposed long ago

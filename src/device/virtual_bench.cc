@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "captures/picture_file.h"
 #include "simulator/disturbance.h"
 #include "simulator/named_scene.h"
 #include "simulator/scene_modifiers.h"
@@ -100,8 +101,10 @@ Result<cv::Mat> VirtualBench::Expose() {
   DORSUM_ASSIGN_OR_RETURN(const SensorLight* light, LightNow());
   const std::uint64_t moment = NamedSeed(moment_, seed());
   const std::uint64_t frame = NamedSeed("frame" + std::to_string(frames_++), moment);
-  return ExposePicture(now_, *light, NamedSeed("speckle" + on_.to_string(), moment),
-                       NamedSeed("sensor", frame), context_);
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat picture,
+                          ExposePicture(now_, *light, NamedSeed("speckle" + on_.to_string(), moment),
+                                        NamedSeed("sensor", frame), context_));
+  return ThroughStream(device_.description.camera, picture);
 }
 
 }  // namespace dorsum

@@ -25,6 +25,8 @@ class VirtualFrames : public FrameSource {
   }
   std::string name() const override { return "virtual camera"; }
   std::vector<std::string> warnings() const override { return {}; }
+  bool stamps_exposure() const override { return true; }
+  bool never_repeats() const override { return true; }
 
  private:
   std::shared_ptr<VirtualBench> bench_;
