@@ -11,6 +11,7 @@ namespace dorsum {
 // Each adds one command to the program: its options, and what to do when it is chosen.
 void AddSimulate(CLI::App* app, Session* session);
 void AddCalibrate(CLI::App* app, Session* session);
+void AddCapture(CLI::App* app, Session* session);
 void AddReconstruct(CLI::App* app, Session* session);
 void AddStripes(CLI::App* app, Session* session);
 void AddEvaluate(CLI::App* app, Session* session);

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -19,16 +22,35 @@ cv::Mat SmoothGreen(const cv::Mat& bgr, double blur_px) {
   return smooth;
 }
 
-float MedianOf(const cv::Mat& values, double (*of)(float)) {
-  std::vector<float> list;
-  for (int v = 0; v < values.rows; v += 3) {
-    const auto* row = values.ptr<float>(v);
-    for (int u = 0; u < values.cols; u += 3) list.push_back(static_cast<float>(of(row[u])));
-  }
+float Median(std::vector<float> list) {
   if (list.empty()) return 0.0F;
   const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
   std::nth_element(list.begin(), middle, list.end());
   return *middle;
+}
+
+// Every third pixel of every third row: the usual brightness.
+double UsualValue(const cv::Mat& values) {
+  std::vector<float> list;
+  for (int v = 0; v < values.rows; v += 3) {
+    const auto* row = values.ptr<float>(v);
+    for (int u = 0; u < values.cols; u += 3) list.push_back(row[u]);
+  }
+  return static_cast<double>(Median(std::move(list)));
+}
+
+// Standard deviation of a pixel's noise in the difference of two pictures, from neighbours in a row: whatever
+// moved changed both of them by about the same.
+double NoiseOfDifference(const cv::Mat& before, const cv::Mat& after) {
+  std::vector<float> list;
+  for (int v = 0; v < before.rows; v += 3) {
+    const auto *a = before.ptr<cv::Vec3b>(v), *b = after.ptr<cv::Vec3b>(v);
+    for (int u = 0; u + 1 < before.cols; u += 3) {
+      list.push_back(static_cast<float>(std::abs((b[u + 1][1] - a[u + 1][1]) - (b[u][1] - a[u][1]))));
+    }
+  }
+  // Codes are whole numbers: no less than what rounding leaves.
+  return std::max(0.3, static_cast<double>(Median(std::move(list))) / 0.6745) / std::numbers::sqrt2;
 }
 
 // Sums of one square: the structure tensor, and gradient times difference.
@@ -57,13 +79,11 @@ PictureMotion MeasureMotion(const cv::Mat& before, const cv::Mat& after, const M
     throw std::logic_error("MeasureMotion needs two CV_8UC3 pictures of one size");
   }
   cv::Mat a = SmoothGreen(before, options.blur_px), b = SmoothGreen(after, options.blur_px);
-  const auto same = [](float x) { return static_cast<double>(x); };
-  const auto size = [](float x) { return static_cast<double>(std::abs(x)); };
-  b *= static_cast<double>(MedianOf(a, same)) / std::max(1e-3, static_cast<double>(MedianOf(b, same)));
+  b *= UsualValue(a) / std::max(1e-3, UsualValue(b));
   const cv::Mat difference = b - a, sum = 0.5 * (a + b);
-  // Blurred noise has neighbours that err alike: 4 pi blur^2 of them count as one.
-  const double noise = static_cast<double>(MedianOf(difference, size)) / 0.6745;
-  const double sd = noise * std::sqrt(4.0 * 3.141592653589793) * options.blur_px;
+  // A blur takes white noise down by 2 sqrt(pi) blur, and makes 4 pi blur^2 pixels err alike: in a square's
+  // sums the two cancel.
+  const double sd = NoiseOfDifference(before, after);
   cv::Mat gx, gy;
   cv::Sobel(sum, gx, CV_32F, 1, 0, 3, 0.125);
   cv::Sobel(sum, gy, CV_32F, 0, 1, 3, 0.125);

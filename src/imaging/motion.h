@@ -19,8 +19,9 @@ struct PictureMotion {
 
 // How far what is seen has moved between two pictures under the same light (CV_8UC3 of one size): bgHand and
 // bgHandAfter. In each square that has an edge, the shift across the edge that explains the difference best
-// (normal flow: Horn and Schunck 1981, equation for the component along the gradient, in least squares over the
-// square), less three standard deviations. A shift of more than the blur comes out too small, but not as rest.
+// (normal flow: Horn and Schunck 1981, equation for the component along the gradient, in least squares over
+// the square), less three standard deviations. A shift of more than the blur comes out too small, but not as
+// rest.
 PictureMotion MeasureMotion(const cv::Mat& before, const cv::Mat& after, const MotionOptions& options = {});
 
 }  // namespace dorsum
