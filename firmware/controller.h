@@ -45,8 +45,8 @@ struct controller {
 void controller_begin(struct controller* self, uint16_t wired, char logic, char reset, uint16_t seed);
 // What it says by itself when it has started; the number of bytes to send. `reply` holds LINE_CAPACITY + 1.
 uint8_t controller_banner(const struct controller* self, char* reply);
-// Takes one received byte, `damaged` if the receiver saw an error with it or lost some before it. The number of
-// bytes to send back.
+// Takes one received byte, `damaged` if the receiver saw an error with it or lost some before it. The number
+// of bytes to send back.
 uint8_t controller_byte(struct controller* self, char byte, bool damaged, uint32_t now_ms, char* reply);
 // To be called at least every few milliseconds.
 void controller_tick(struct controller* self, uint32_t now_ms);

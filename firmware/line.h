@@ -9,8 +9,8 @@
 extern "C" {
 #endif
 
-// One line of the protocol (docs/protocol.md), both ways: reading commands and writing replies. Knows nothing of
-// the hardware, so that the host's compiler can build and fuzz it as well.
+// One line of the protocol (docs/protocol.md), both ways: reading commands and writing replies. Knows nothing
+// of the hardware, so that the host's compiler can build and fuzz it as well.
 
 #define LINE_CAPACITY 64  // of a line without its newline; the longest of either side fits
 
@@ -38,7 +38,8 @@ uint16_t line_crc(const char* text, uint8_t length);
 // Reads a line without its newline.
 enum line_fault line_read(const char* text, uint8_t length, struct command* command);
 
-// Builds a reply in a buffer of LINE_CAPACITY + 1. What does not fit is left out and makes line_end() return 0.
+// Builds a reply in a buffer of LINE_CAPACITY + 1. What does not fit is left out and makes line_end() return
+// 0.
 struct line_writer {
   char* text;
   uint8_t length;
