@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -38,6 +39,7 @@ int RunProgram(int argc, char** argv) {
   dorsum::AddSimulate(&app, &session);
   dorsum::AddCalibrate(&app, &session);
   dorsum::AddCapture(&app, &session);
+  dorsum::AddDoctor(&app, &session);
   dorsum::AddStripes(&app, &session);
   dorsum::AddReconstruct(&app, &session);
   dorsum::AddEvaluate(&app, &session);
@@ -55,6 +57,8 @@ int RunProgram(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   dorsum::CatchInterrupts();
+  // FFmpeg would put its own words on the standard error, beside our sentence; -8 is its "quiet".
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   try {
     return RunProgram(argc, argv);
   } catch (const std::bad_alloc&) {
