@@ -47,6 +47,8 @@ int ExitCode(ErrorCode code) {
 
 void CatchInterrupts() {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
+  // A file that may not grow further is a failed write, to be told, and not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 Context Session::MakeContext() {
