@@ -16,6 +16,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/DorsumConfig.cmake"
   "${PROJECT_BINARY_DIR}/DorsumConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/DorsumDependencies.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindCairo.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindOpenCV.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindSerialPort.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindSodium.cmake"

@@ -10,6 +10,7 @@ namespace dorsum {
 
 // Each adds one command to the program: its options, and what to do when it is chosen.
 void AddSimulate(CLI::App* app, Session* session);
+void AddBoard(CLI::App* app, Session* session);
 void AddCalibrate(CLI::App* app, Session* session);
 void AddCapture(CLI::App* app, Session* session);
 void AddDoctor(CLI::App* app, Session* session);

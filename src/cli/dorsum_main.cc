@@ -37,6 +37,7 @@ int RunProgram(int argc, char** argv) {
       "bad "
       "input or\nnowhere to write, 4 device, 5 our fault, 130 interrupted.");
   dorsum::AddSimulate(&app, &session);
+  dorsum::AddBoard(&app, &session);
   dorsum::AddCalibrate(&app, &session);
   dorsum::AddCapture(&app, &session);
   dorsum::AddDoctor(&app, &session);

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/random.h"
+#include "captures/designed_geometry.h"
 
 namespace dorsum {
 namespace {
@@ -25,16 +26,6 @@ Eigen::Matrix3d Rotation(const Eigen::Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();
   if (angle == 0.0) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(angle, rotation_vector / angle).toRotationMatrix();
-}
-
-// A camera at `position` that looks at `target`, its rows as level as that allows along the design's x.
-Rigid3 LookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d z = (target - position).normalized();
-  const Eigen::Vector3d x = (Eigen::Vector3d::UnitX() - z.x() * z).normalized();
-  Rigid3 camera_from_design;
-  camera_from_design.rotation << x.transpose(), z.cross(x).transpose(), z.transpose();
-  camera_from_design.translation = -(camera_from_design.rotation * position);
-  return camera_from_design;
 }
 
 Camera BuildCamera(const DeviceDescription& d, Rng rng) {
