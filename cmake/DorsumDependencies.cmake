@@ -16,7 +16,7 @@ dorsum_find(nlohmann_json 3.11 CONFIG)
 dorsum_find(tomlplusplus CONFIG)
 dorsum_find(Sodium)
 dorsum_find(SerialPort)
-dorsum_find(Cairo 1.16)
+dorsum_find(Cairo)
 dorsum_find(OpenCV 4 COMPONENTS core imgproc imgcodecs calib3d videoio)
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)  # Ceres' search for SuiteSparse does not heed QUIET
 dorsum_find(Ceres 2.1 CONFIG QUIET)

@@ -159,8 +159,9 @@ Result<BoardReport> PrintBoards(const BoardOptions& options, const std::filesyst
     if (options.tile_chessboard) sheet.may_tile = true;
     const Result<SheetLayout> layout = LayOutSheet(sheet, options.paper);
     if (!layout.ok()) {
-      return BadInput(layout.error().message +
-                      (sheet.may_tile ? "" : ", or on several pages with --tile-chessboard"));
+      return BadInput(layout.error().message + (sheet.may_tile
+                                                    ? ", or leave it out with --sheets"
+                                                    : ", or on several pages with --tile-chessboard"));
     }
     report.sheets.push_back({sheet.name, layout->Pages(), sheet.size_mm.x(), sheet.size_mm.y()});
     sheets.push_back({std::move(sheet), *layout});

@@ -163,7 +163,8 @@ TEST_F(BoardTest, DevicesWhoseTargetsCannotBePrinted) {
       {"[board]\nsquare_mm = 25" + lights, "it fits on A2, or on several pages with --tile-chessboard"},
       {"[board]\nsquare_mm = nan" + lights, "square_mm"},
       {"[camera]\nlook_at_mm = [9000.0, 0.0, 380.0]" + lights, "look_at_mm"},
-      {"[camera]\nposition_mm = [0.0, 0.0, 3000.0]\nfocal_length_px = 400.0" + lights, "plan"},
+      {"[camera]\nposition_mm = [0.0, 0.0, 3000.0]\nfocal_length_px = 400.0" + lights,
+       "leave it out with --sheets"},
       {"[calibration]\nbox_heights_mm = [500.0]" + lights, "look_at_mm"},
   };
   for (const auto& [text, culprit] : cases) {
