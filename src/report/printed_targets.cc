@@ -8,9 +8,7 @@
 namespace dorsum {
 namespace {
 
-constexpr const char* kPrintNote =
-    "Print at 100 %, with no fit to page, and measure both rulers: a printer that is off by 1 % makes every "
-    "height wrong by 1 %.";
+constexpr const char* kPrintNote = "Print at 100 %, with no fit to page, and measure both rulers.";
 
 std::string Mm(double value) {
   std::ostringstream text;
@@ -106,8 +104,10 @@ PrintedSheet ChessboardTarget(const std::string& device, const BoardDesign& boar
   sheet.title = "Dorsum chessboard for \"" + device + "\": " + std::to_string(board.columns) + " x " +
                 std::to_string(board.rows) + " inner corners, squares of " + Mm(s) + " mm, " +
                 Size(s * (board.columns + 1), s * (board.rows + 1)) + " in all";
-  sheet.notes = {kPrintNote, "Glue it on a flat, stiff plate and keep the white margin of " + Mm(s) +
-                                 " mm; the marks in the margin show the middle."};
+  sheet.notes = {std::string(kPrintNote) +
+                     " A board that is 1 % too large or too small makes every height wrong by 1 %.",
+                 "Glue it on a flat, stiff plate and keep the white margin of " + Mm(s) +
+                     " mm; the marks in the margin show the middle."};
   sheet.size_mm = s * Eigen::Vector2d(board.columns + 3, board.rows + 3);
   sheet.may_tile = false;
   sheet.draw = [board](PrintedDocument& document) { DrawChessboard(board, document); };
