@@ -164,6 +164,20 @@ void DrawPart(const PrintedSheet& sheet, const SheetLayout& layout, int column, 
             RulerLength(layout.tile_mm.y()), document);
 }
 
+// "169 x 251.8 mm upright or 269 x 156 mm across".
+std::string Room(const PrintedSheet& sheet, const Paper& paper) {
+  PrintedDocument measure("");
+  std::string text;
+  for (const bool turn : {false, true}) {
+    const Paper page = turn ? Paper{paper.name, paper.height_mm, paper.width_mm} : paper;
+    const auto layout = LayOutOn(sheet, page, &measure);
+    if (!layout) continue;
+    text += (text.empty() ? "" : " or ") + Mm(layout->tile_mm.x()) + " x " + Mm(layout->tile_mm.y()) +
+            " mm " + (page.width_mm > page.height_mm ? "across" : "upright");
+  }
+  return text;
+}
+
 // The smallest paper with a name on which the sheet is whole.
 std::string WhatFits(const PrintedSheet& sheet) {
   for (const Paper& paper : KnownPapers()) {
@@ -183,9 +197,8 @@ Result<SheetLayout> LayOutSheet(const PrintedSheet& sheet, const Paper& paper) {
     return BadInput(what + paper.name + ", whose words and rulers leave no room; take larger paper");
   }
   if (layout->Pages() > 1 && !sheet.may_tile) {
-    return BadInput(what + "one page of " + paper.name + ", which has room for " +
-                    Mm(std::max(layout->tile_mm.x(), layout->tile_mm.y())) + " x " +
-                    Mm(std::min(layout->tile_mm.x(), layout->tile_mm.y())) + " mm; " + WhatFits(sheet));
+    return BadInput(what + "one page of " + paper.name + ", which has room for " + Room(sheet, paper) + "; " +
+                    WhatFits(sheet));
   }
   if (layout->Pages() > kMostPages) {
     return BadInput(what + std::to_string(kMostPages) + " pages of " + paper.name +
