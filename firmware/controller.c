@@ -129,8 +129,7 @@ static uint8_t obey(struct controller* self, const struct command* command, uint
 
 static uint8_t take_line(struct controller* self, uint32_t now_ms, char* reply) {
   struct command command;
-  const enum line_fault fault =
-      self->damaged ? LINE_DAMAGED : line_read(self->line, self->length, &command);
+  const enum line_fault fault = self->damaged ? LINE_DAMAGED : line_read(self->line, self->length, &command);
   if (fault == LINE_DAMAGED) {
     command.session = command.sequence = 0;
     return refuse(self, &command, "DAMAGED", reply);
@@ -141,7 +140,8 @@ static uint8_t take_line(struct controller* self, uint32_t now_ms, char* reply) 
   if (!self->in_session || command.session != self->session) return refuse(self, &command, "SESSION", reply);
 
   const uint16_t ahead = (uint16_t)(command.sequence - self->sequence);
-  // A retry after a lost answer, or a line that came twice: it has been obeyed, and is no sign of life either.
+  // A retry after a lost answer, or a line that came twice: it has been obeyed, and is no sign of life
+  // either.
   if (ahead == 0 && !self->only_greeted) return answer_state(self, &command, reply);
   if (ahead == 0 || ahead >= 0x8000u) return refuse(self, &command, "STALE", reply);
   self->sequence = command.sequence;

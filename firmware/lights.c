@@ -20,8 +20,8 @@ uint16_t lights_begin(void) {
   const uint8_t off_level = DORSUM_INVERTED ? 0xFFu : 0x00u;
   uint8_t right_d = PORT_D_LIGHTS, right_b = PORT_B_LIGHTS;
   for (uint8_t i = 0; i < 16; ++i) {  // longer than a period of mains hum
-    right_d &= (uint8_t)~(PIND ^ off_level);
-    right_b &= (uint8_t)~(PINB ^ off_level);
+    right_d &= (uint8_t) ~(PIND ^ off_level);
+    right_b &= (uint8_t) ~(PINB ^ off_level);
     wdt_reset();
     _delay_us(1300);
   }

@@ -17,8 +17,9 @@ static uint8_t reset_flags __attribute__((section(".noinit")));
 
 static volatile uint32_t milliseconds;
 
-// Runs before everything else. After a watchdog's reset the watchdog is still on at its shortest time, and the
-// clearing of memory must not take longer; it is set to what the main loop keeps up with, and never stopped.
+// Runs before everything else. After a watchdog's reset the watchdog is still on at its shortest time, and
+// the clearing of memory must not take longer; it is set to what the main loop keeps up with, and never
+// stopped.
 void keep_reset_flags(void) __attribute__((naked, used, section(".init3")));
 void keep_reset_flags(void) {
   reset_flags = MCUSR;

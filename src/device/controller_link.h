@@ -52,6 +52,7 @@ class ControllerLink {
 
   const ControllerReply& greeting() const { return greeting_; }
   const std::string& port() const { return port_->path(); }
+  bool gone() const { return port_->gone(); }  // nothing but opening the port anew can help
 
  private:
   ControllerLink(std::unique_ptr<SerialPort> port, const LinkOptions& options)

@@ -72,7 +72,7 @@ TEST_P(SerialFaults, GreetingSurvives) {
 }
 
 std::string HarmName(const ::testing::TestParamInfo<Harm>& harm) {
-  const std::string way = harm.param.way == Way::kToHost ? "ToHost" : "ToController";
+  std::string way = harm.param.way == Way::kToHost ? "ToHost" : "ToController";
   switch (harm.param.mischief) {
     case Mischief::kLose:
       return way + "Lost";

@@ -98,9 +98,11 @@ class SerialLights : public Lights {
   // A new session after a fault, over the same port, opened anew where it was gone.
   Status BeginAnew() {
     const Context patient;
-    Status greeted = link_ ? link_->Greet(patient) : Status(*fault_);
-    if (!greeted.ok()) {
-      link_.reset();
+    if (link_ && !link_->gone()) {
+      const Status greeted = link_->Greet(patient);
+      if (!greeted.ok()) return Fail(greeted.error());
+    } else {
+      link_.reset();  // first, or a port that was plugged in again would get another name
       Result<std::unique_ptr<ControllerLink>> link =
           ControllerLink::Open(port_, options_.baud, options_.link, patient);
       if (!link.ok()) return Fail(link.error());

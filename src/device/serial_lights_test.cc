@@ -162,10 +162,8 @@ TEST(SerialLights, LaserGoesOffAfterItsLongestTimeThoughTheHostIsAlive) {
   EXPECT_NEAR(controller.LastChange() - lit_s, 10.0, kSlack_s);
 }
 
-// Not a test: the process that the next one kills.
-TEST(SerialLights, DISABLED_HoldsLightsUntilItIsKilled) {
-  const char* port = std::getenv("DORSUM_TEST_PORT");
-  ASSERT_NE(port, nullptr);
+// The process that the next test kills: this program again, running that test with a port in its environment.
+void HoldLightsUntilKilled(const char* port) {
   const auto lights = OpenOrDie(On(port));
   ASSERT_TRUE(lights);
   ASSERT_TRUE(lights->Set(ChannelSet(0x102)).ok());
@@ -173,13 +171,13 @@ TEST(SerialLights, DISABLED_HoldsLightsUntilItIsKilled) {
 }
 
 TEST(SerialLights, KilledHostLeavesEverythingOffWithinTwoSeconds) {
+  if (const char* port = std::getenv("DORSUM_TEST_PORT")) return HoldLightsUntilKilled(port);
   DORSUM_NEEDS_SIMULATOR();
   SimulatedController controller;
-  const std::string port = "DORSUM_TEST_PORT=" + controller.port();
-  std::vector<std::string> words = {"/proc/self/exe", "--gtest_also_run_disabled_tests",
-                                    "--gtest_filter=SerialLights.DISABLED_HoldsLightsUntilItIsKilled"};
-  std::vector<char*> argv = {words[0].data(), words[1].data(), words[2].data(), nullptr};
-  std::string variable = port;
+  std::string program = "/proc/self/exe";
+  std::string filter = "--gtest_filter=SerialLights.KilledHostLeavesEverythingOffWithinTwoSeconds";
+  std::vector<char*> argv = {program.data(), filter.data(), nullptr};
+  std::string variable = "DORSUM_TEST_PORT=" + controller.port();
   std::vector<char*> environment = {variable.data(), nullptr};
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);

@@ -92,7 +92,8 @@ SerialPort::~SerialPort() {
   close(handle_);
 }
 
-Error SerialPort::Gone() const {
+Error SerialPort::Gone() {
+  gone_ = true;
   return DeviceError("the light controller on " + path_ +
                      " is gone; check its cable and plug it in again, then start over");
 }
@@ -122,8 +123,6 @@ Status SerialPort::Write(std::string_view bytes) {
   }
   return {};
 }
-
-void SerialPort::Flush() { tcflush(handle_, TCIOFLUSH); }
 
 std::vector<std::string> UsbSerialPorts() {
   std::vector<std::string> names;

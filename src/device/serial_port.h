@@ -28,17 +28,17 @@ class SerialPort {
   Result<std::string> Read(double timeout_s);
   // All of it, or a device error when the port is gone or takes nothing for a second.
   Status Write(std::string_view bytes);
-  // Throws away what has come in and what waits to go out.
-  void Flush();
 
   const std::string& path() const { return path_; }
+  bool gone() const { return gone_; }  // found to be, by a read or a write
 
  private:
   SerialPort(std::string path, int handle) : path_(std::move(path)), handle_(handle) {}
-  Error Gone() const;
+  Error Gone();
 
   std::string path_;
   int handle_;
+  bool gone_ = false;
 };
 
 // Ports of USB devices, by name: "/dev/ttyACM0", "/dev/ttyUSB0".

@@ -138,6 +138,7 @@ class SimulatedController {
     posix_spawn_file_actions_adddup2(&files, out[1], STDOUT_FILENO);
     std::vector<std::string> copies = words;
     std::vector<char*> argv;
+    argv.reserve(copies.size() + 1);
     for (std::string& word : copies) argv.push_back(word.data());
     argv.push_back(nullptr);
     const int failed = posix_spawn(&pid_, argv[0], &files, nullptr, argv.data(), environ);

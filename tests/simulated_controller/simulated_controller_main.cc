@@ -18,10 +18,12 @@
 //   T time                 in answer to the command `time`
 // Standard input, a line each: reset | brownout | hang | mute | unmute | noise | time | quit.
 #include <cmath>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string>
 
 #include <fcntl.h>
@@ -31,9 +33,7 @@
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_hex.h>
-#include <stdarg.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
 
 namespace {
