@@ -162,6 +162,21 @@ TEST(SerialLights, LaserGoesOffAfterItsLongestTimeThoughTheHostIsAlive) {
   EXPECT_NEAR(controller.LastChange() - lit_s, 10.0, kSlack_s);
 }
 
+TEST(SerialLights, SilenceLimitIsTwoSecondsOfTheFirmwaresOwnClock) {
+  DORSUM_NEEDS_SIMULATOR();
+  SimulatedController controller("dorsum-controller", {"--speed", "4"});
+  auto link = ControllerLink::Open(controller.port(), 115200, {}, {});
+  ASSERT_TRUE(link.ok());
+  ASSERT_EQ((*link)->Ask("SET 0103").reply.on, 0x0103);
+  ASSERT_TRUE(controller.WaitForLit(0x103));
+  const double lit_s = controller.LastChange();
+  ASSERT_TRUE(controller.WaitForLit(0));
+  EXPECT_NEAR(controller.LastChange() - lit_s, 2.0, kSlack_s);
+  const ControllerLink::Answer answer = (*link)->Ask("GET");
+  EXPECT_EQ(answer.reply.on, 0);
+  EXPECT_EQ(answer.reply.why, 'S');
+}
+
 // The process that the next test kills: this program again, running that test with a port in its environment.
 void HoldLightsUntilKilled(const char* port) {
   const auto lights = OpenOrDie(On(port));
