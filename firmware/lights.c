@@ -31,13 +31,27 @@ uint16_t lights_begin(void) {
   return (uint16_t)(driven_d >> 2 | (uint16_t)driven_b << 6);
 }
 
+static uint8_t level_d(uint16_t on) {
+  return (uint8_t)(of_port_d(on) ^ (DORSUM_INVERTED ? 0xFFu : 0x00u)) & driven_d;
+}
+static uint8_t level_b(uint16_t on) {
+  return (uint8_t)(((uint8_t)(of_port_b(on) ^ (DORSUM_INVERTED ? 0xFFu : 0x00u)) & driven_b) |
+                   (PORTB & PORT_B_STATUS));
+}
+
 void lights_show(uint16_t on) {
-  const uint8_t invert = DORSUM_INVERTED ? 0xFFu : 0x00u;
-  // The level first: a pin that becomes an output before it has its level could flash.
-  PORTD = (uint8_t)(of_port_d(on) ^ invert) & driven_d;
-  PORTB = (uint8_t)(((uint8_t)(of_port_b(on) ^ invert) & driven_b) | (PORTB & PORT_B_STATUS));
+  static uint16_t shown;
+  // First out what goes out, then on what comes on: the two ports change one after the other, and no two
+  // lasers may shine together for even that long.
+  const uint16_t kept = shown & on;
+  PORTD = level_d(kept);
+  PORTB = level_b(kept);
+  // The level before the direction: a pin that becomes an output before it has its level could flash.
+  PORTD = level_d(on);
+  PORTB = level_b(on);
   DDRD = driven_d;
   DDRB = (uint8_t)(driven_b | PORT_B_STATUS);
+  shown = on;
 }
 
 void lights_status(uint8_t lit) {
