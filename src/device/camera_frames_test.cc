@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // OpenVideoFrames() on a Video4Linux camera, through VideoCapture's own code.
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -94,6 +99,36 @@ TEST_F(CameraFramesTest, SettingsReachTheDriverAndFramesCome) {
   }
   EXPECT_THAT((*frames)->warnings(), IsEmpty());
   EXPECT_TRUE((*frames)->never_repeats());
+}
+
+TEST_F(CameraFramesTest, ExposureThatComesLateIsNotTakenForSettled) {
+  // As webcams do: an exposure is seen three frames after it was set, while the light changes at once.
+  double light = 0.3;
+  std::vector<int> exposures;
+  paint_ = [&](int frame) {  // called with the mutex held
+    exposures.push_back(camera_.controls.at(V4L2_CID_EXPOSURE_ABSOLUTE).value);
+    const int exposure = exposures.size() > 3 ? exposures[exposures.size() - 4] : 250;
+    return GreyJpeg(std::min(250, static_cast<int>(light * exposure)), frame);
+  };
+  camera_.interval_s = 0.01;
+  auto frames = Open();
+  ASSERT_TRUE(frames.ok()) << frames.error().message;
+  for (const auto& [next, level, which] : {std::tuple{4.0, 160, FrameLight::kLaser},
+                                           {0.3, 60, FrameLight::kLeds},
+                                           {3.0, 120, FrameLight::kLaser},
+                                           {2.0, 80, FrameLight::kLaser}}) {
+    ASSERT_TRUE((*frames)->ExposeFor(which).ok());
+    {
+      const std::lock_guard lock(camera_.mutex);
+      light = next;
+    }
+    StillOptions options;
+    options.delay_s = 0.0;
+    options.timeout_s = 60.0;
+    const auto still = TakeStill(**frames, MonotonicSeconds(), options, {});
+    ASSERT_TRUE(still.ok()) << still.error().message;
+    EXPECT_NEAR(cv::mean(*still)[1], level, 2.0);
+  }
 }
 
 TEST_F(CameraFramesTest, StampsAreTheDriversUnlessItsClockIsAnother) {

@@ -18,7 +18,8 @@
 namespace dorsum {
 namespace {
 
-constexpr std::size_t kKept = 4;     // frames
+constexpr int kUnderWay = 4;      // pictures until a camera's new exposure shows: two or three with webcams
+constexpr std::size_t kKept = 4;  // frames
 constexpr double kPatience_s = 0.5;  // beyond the limits, before a thread is abandoned
 constexpr auto kCancelCheck = std::chrono::milliseconds(50);
 
@@ -112,7 +113,11 @@ class Reader {
       if (!begun) {
         begun = true;
         Warn(input->Begin());
-        if (kind_ == VideoKind::kCamera) continue;  // taken before the settings were made
+        if (input->CanBeSet()) under_way_ = kUnderWay + 1;  // this one, too
+      }
+      if (under_way_ > 0) {
+        --under_way_;
+        continue;
       }
       Give({std::move(picture.image), picture.time_s, number});
     }
@@ -133,6 +138,8 @@ class Reader {
       const FrameLight light = *exchange_->wanted;
       lock.unlock();
       const std::vector<std::string> warnings = input.Expose(light);
+      if (input.CanBeSet() && light != exposed_for_) under_way_ = kUnderWay;
+      exposed_for_ = light;
       lock.lock();
       AddWarnings(exchange_->warnings, warnings);
       exchange_->wanted.reset();
@@ -158,6 +165,8 @@ class Reader {
   const cv::Size size_;
   const VideoLimits limits_;
   double last_time_s_ = 0.0;
+  int under_way_ = 0;  // pictures that were begun with earlier settings, to be passed over
+  std::optional<FrameLight> exposed_for_;
 };
 
 class VideoFrames : public FrameSource {

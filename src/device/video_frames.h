@@ -15,7 +15,8 @@ namespace dorsum {
 // A camera, a network stream or a video file as frames, read in a thread of its own: whatever hangs there,
 // Next() comes back in its time. Cameras and streams are read all the time and the newest four frames kept;
 // of a recording every frame is given, as fast as asked for. Stamps are the driver's for a camera, else the
-// frame's arrival. Damaged pictures are passed over and leave a gap in the numbers.
+// frame's arrival. Damaged pictures are passed over and leave a gap in the numbers; so are the four pictures
+// of a camera that are under way when its exposure is changed.
 //
 // Waits for the first picture, at most the limit for opening. A device error in one sentence: it cannot be
 // opened or does not answer; no picture in time; a picture of another size than the description says; and

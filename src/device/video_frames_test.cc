@@ -292,7 +292,7 @@ TEST(StreamTest, DestructionWhileAReadHangsComesBack) {
   for (int i = 0; i < 2; ++i) {
     MjpegServer server([](int f) { return f < 2 ? MjpegServer::Part(JpegOf(Grey(80, f))) : Act::kHold; },
                        0.01);
-    auto stream = OpenStream(server, {2.0, 1.0});
+    auto stream = OpenStream(server, {2.0, 0.6});
     ASSERT_TRUE(stream.ok()) << stream.error().message;
     while ((*stream)->Next(0.1).ok()) continue;
     EXPECT_THAT((*stream)->Next(0.01).error().message, HasSubstr("sent no picture")) << "it hangs now";
@@ -314,7 +314,8 @@ struct Gate {
   std::mutex mutex;
   std::condition_variable changed;
   bool open = true;
-  bool gone = false;  // the input has been destroyed
+  bool hangs = false;  // a read stands before it
+  bool gone = false;   // the input has been destroyed
   int reads = 0;
   std::vector<FrameLight> exposures;
 
@@ -322,6 +323,10 @@ struct Gate {
     const std::lock_guard lock(mutex);
     open = true;
     changed.notify_all();
+  }
+  void WaitUntilItHangs() {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return hangs; });
   }
   void WaitForReads(int count) {
     std::unique_lock lock(mutex);
@@ -339,7 +344,11 @@ class ScriptedInput : public VideoInput {
   }
   Result<std::optional<Picture>> Read() override {
     std::unique_lock lock(gate_->mutex);
-    if (gate_->reads > 5) gate_->changed.wait(lock, [&] { return gate_->open; });
+    if (gate_->reads > 5) {
+      gate_->hangs = !gate_->open;
+      gate_->changed.notify_all();
+      gate_->changed.wait(lock, [&] { return gate_->open; });
+    }
     ++gate_->reads;
     gate_->changed.notify_all();
     return std::optional(Picture{Grey(100, gate_->reads), 1000.0 - gate_->reads});  // a clock that runs back
@@ -350,6 +359,7 @@ class ScriptedInput : public VideoInput {
     gate_->exposures.push_back(light);
     return {"the camera did not take the exposure"};
   }
+  bool CanBeSet() const override { return true; }
   const std::vector<std::string>& warnings() const override { return warnings_; }
 
  private:
@@ -407,7 +417,7 @@ TEST(VideoFramesTest, DriverThatNeverReturnsIsAbandonedAndEndsOnItsOwn) {
   {
     auto camera = OpenScripted(gate, {0.2, 0.2});
     ASSERT_TRUE(camera.ok()) << camera.error().message;
-    gate->WaitForReads(6);  // the next one hangs
+    gate->WaitUntilItHangs();
     const Status exposure = (*camera)->ExposeFor(FrameLight::kLaser);
     ASSERT_FALSE(exposure.ok());
     EXPECT_EQ(exposure.error().code, ErrorCode::kDevice);

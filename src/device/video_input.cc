@@ -135,6 +135,7 @@ class OpenCvInput : public VideoInput {
     return kind_ == VideoKind::kCamera ? SetExposure(design_, light, properties_)
                                        : std::vector<std::string>();
   }
+  bool CanBeSet() const override { return kind_ == VideoKind::kCamera; }
   const std::vector<std::string>& warnings() const override { return warnings_; }
 
  private:

@@ -40,9 +40,12 @@ class VideoInput {
   };
   // The next picture; none when a wait of 0.1 s or so brought none; an error when there will be none.
   virtual Result<std::optional<Picture>> Read() = 0;
-  // Both give the sentences of camera_controls.h.
-  virtual std::vector<std::string> Begin() = 0;  // to be called once pictures come
+  // To be called once pictures come, and for the exposure of later ones; both give the sentences of
+  // camera_controls.h.
+  virtual std::vector<std::string> Begin() = 0;
   virtual std::vector<std::string> Expose(FrameLight light) = 0;
+  // Whether Begin() and Expose() do anything, so that pictures under way are not as those to come.
+  virtual bool CanBeSet() const = 0;
   virtual const std::vector<std::string>& warnings() const = 0;  // of opening
 };
 
