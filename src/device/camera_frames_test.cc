@@ -18,6 +18,7 @@
 #include "device/mjpeg_server_test.h"
 #include "device/still_picture.h"
 #include "device/video_frames.h"
+#include "device/video_pictures_test.h"
 
 namespace dorsum {
 namespace {
@@ -26,15 +27,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const cv::Size kSize(320, 240);
-
-std::string GreyJpeg(int level, int seed) {
-  cv::Mat noise(kSize, CV_16SC3), image;
-  cv::RNG rng(static_cast<std::uint64_t>(seed) + 5);
-  rng.fill(noise, cv::RNG::NORMAL, 0.0, 2.0);
-  cv::add(cv::Mat(kSize, CV_8UC3, cv::Scalar::all(level)), noise, image, cv::noArray(), CV_8U);
-  return JpegOf(image);
-}
+std::string GreyJpeg(int level, int seed) { return JpegOf(GreyPicture(level, seed)); }
 
 class CameraFramesTest : public ::testing::Test {
  protected:
@@ -46,8 +39,6 @@ class CameraFramesTest : public ::testing::Test {
                         {V4L2_CID_FOCUS_ABSOLUTE, {0, 0, 250}},
                         {V4L2_CID_AUTO_WHITE_BALANCE, {1, 0, 1}},
                         {V4L2_CID_WHITE_BALANCE_TEMPERATURE, {4000, 2000, 6500}}};
-    design_.width = kSize.width;
-    design_.height = kSize.height;
     design_.laser_exposure_s = 0.004;
     design_.led_exposure_s = 0.02;
     design_.gain = 10;
@@ -62,18 +53,10 @@ class CameraFramesTest : public ::testing::Test {
     const std::lock_guard lock(camera_.mutex);
     return camera_.controls.at(id).value;
   }
-  Error ErrorAtTheEnd(FrameSource& frames) {
-    for (int i = 0; i < 1000; ++i) {
-      const auto frame = frames.Next(10.0);
-      if (!frame.ok()) return frame.error();
-    }
-    return {ErrorCode::kInternal, "(no end)"};
-  }
-
   TempFolder dir_;
   std::function<std::string(int)> paint_ = [](int frame) { return GreyJpeg(20 + frame % 200, frame); };
   FakeV4l2 camera_;
-  CameraDesign design_;
+  CameraDesign design_ = VideoDesign();
 };
 
 TEST_F(CameraFramesTest, SettingsReachTheDriverAndFramesCome) {
@@ -167,7 +150,7 @@ TEST_F(CameraFramesTest, RawPicturesAreConverted) {
   design_.stream_format = "raw";
   paint_ = [](int) {  // YUYV: mid grey with full-scale blue difference left at its middle
     std::string bytes;
-    for (int i = 0; i < kSize.area(); ++i) bytes += {static_cast<char>(126), static_cast<char>(128)};
+    for (int i = 0; i < kVideoSize.area(); ++i) bytes += {static_cast<char>(126), static_cast<char>(128)};
     return bytes;
   };
   auto frames = Open();
@@ -175,7 +158,7 @@ TEST_F(CameraFramesTest, RawPicturesAreConverted) {
   const auto frame = (*frames)->Next(10.0);
   ASSERT_TRUE(frame.ok());
   EXPECT_EQ(frame->image.type(), CV_8UC3);
-  EXPECT_EQ(frame->image.size(), kSize);
+  EXPECT_EQ(frame->image.size(), kVideoSize);
   EXPECT_NEAR(cv::mean(frame->image)[1], (126 - 16) * 1.164, 1.5);
 }
 

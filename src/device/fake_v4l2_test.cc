@@ -185,6 +185,7 @@ int FakeV4l2::Poll(short* revents, int timeout_ms) {
 }  // namespace dorsum
 
 // These two stand before the C library's for all of the test program.
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name)
 extern "C" int ioctl(int file, unsigned long request, ...) noexcept {
   va_list arguments;
   va_start(arguments, request);
@@ -195,12 +196,17 @@ extern "C" int ioctl(int file, unsigned long request, ...) noexcept {
   return static_cast<int>(syscall(SYS_ioctl, file, request, argument));
 }
 
+#ifndef __clang__  // which has no such warning
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // the header promises that poll() reads nothing
+#endif
 extern "C" int poll(pollfd* files, nfds_t count, int timeout_ms) {
   dorsum::FakeV4l2* camera = dorsum::Present();
   if (camera != nullptr && count == 1 && camera->Is(files->fd))
     return camera->Poll(&files->revents, timeout_ms);
   return static_cast<int>(syscall(SYS_poll, files, count, timeout_ms));
 }
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
