@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "base/context.h"
@@ -21,8 +20,7 @@ struct Device {
   DeviceDescription description;
   std::unique_ptr<FrameSource> frames;
   std::unique_ptr<Lights> lights;
-  std::shared_ptr<VirtualBench> bench;    // only of a virtual device: what stands before it
-  std::optional<FrameLight> exposed_for;  // what the camera was last told to expose for
+  std::shared_ptr<VirtualBench> bench;  // only of a virtual device: what stands before it
 };
 
 // Opens `device.toml`, or `virtual[:SEED]`, which is the built-in four-laser device with the mounting errors

@@ -10,20 +10,11 @@ namespace {
 
 constexpr double kRenderTime_s = 120.0;
 
-// Whether pictures of lasers and of LEDs are exposed in two ways.
-bool ChangesExposure(const CameraDesign& camera) { return camera.laser_exposure_s != camera.led_exposure_s; }
-
 Result<cv::Mat> TakeLit(Device& device, const ChannelSet& on, FrameLight light, StillOptions options,
                         const Context& context) {
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (device.bench) options.timeout_s = std::max(options.timeout_s, kRenderTime_s);
-  if (device.exposed_for != light) {
-    DORSUM_RETURN_IF_ERROR(device.frames->ExposeFor(light));
-    if (ChangesExposure(device.description.camera)) {
-      options.delay_s = std::max(options.delay_s, kExposureDelay_s);
-    }
-    device.exposed_for = light;
-  }
+  DORSUM_RETURN_IF_ERROR(device.frames->ExposeFor(light));
   if (!device.frames->stamps_exposure()) {
     DORSUM_ASSIGN_OR_RETURN(const Frame before, device.frames->Next(options.timeout_s));
     options.before = before.image;

@@ -10,9 +10,6 @@
 
 namespace dorsum {
 
-// What a camera gets whose exposure changes with the light.
-inline constexpr double kExposureDelay_s = 0.3;
-
 // Switches exactly these lights on, waits until the camera shows them, and takes a settled picture.
 // Afterwards asks the controller whether they are still on: where it has switched them off on its own (its
 // time is up, or it was reset), the picture is not to be trusted, and that is a device error. The lights stay
