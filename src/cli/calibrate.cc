@@ -45,7 +45,12 @@ Status TakeSeries(const Arguments& arguments, const Context& context, Session* s
   return {};
 }
 
-void Run(const Arguments& arguments, Session* session) {
+void Run(Arguments arguments, Session* session) {
+  if (arguments.dir.empty()) {
+    if (!arguments.live)
+      return session->Fail(UsageError("calibration_dir is required; see dorsum calibrate --help"));
+    arguments.dir = "calibration";
+  }
   const Context context = session->MakeContext();
   if (arguments.live) {
     if (const Status taken = TakeSeries(arguments, context, session); !taken.ok()) {
@@ -67,9 +72,10 @@ void Run(const Arguments& arguments, Session* session) {
 void AddCalibrate(CLI::App* app, Session* session) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* c = app->add_subcommand("calibrate", "Calibrate camera and lasers from a calibration series");
-  c->add_option("calibration_dir", arguments->dir,
-                "folder with setup.json and the images of §3.2; with --live it is filled")
-      ->required();
+  c->add_option(
+      "calibration_dir", arguments->dir,
+      "folder with setup.json and the images of §3.2; with --live it is filled, and ./calibration if it "
+      "is not named");
   c->add_option("-o,--out", arguments->out,
                 "file to write; a report of the same name with .html comes beside it")
       ->capture_default_str();

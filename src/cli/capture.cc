@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/capture.h"
 
+#include <ctime>
 #include <memory>
 
 #include "cli/commands.h"
@@ -22,7 +23,18 @@ Status Arrange(const Device& device, const std::string& scene) {
   return UsageError("--scene is for a virtual device; before " + device.name + " lies what lies there");
 }
 
-void Run(const Arguments& arguments, Session* session) {
+// captures/20261122-185901, by the local clock.
+std::string FolderOfNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[64];
+  std::strftime(text, sizeof text, "captures/%Y%m%d-%H%M%S", &local);
+  return text;
+}
+
+void Run(Arguments arguments, Session* session) {
+  if (arguments.out.empty()) arguments.out = FolderOfNow();
   CaptureRequest request = arguments.request;
   request.out_dir = arguments.out;
   request.calibration_path = arguments.calibration;
@@ -48,8 +60,8 @@ void Run(const Arguments& arguments, Session* session) {
 void AddCapture(CLI::App* app, Session* session) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* c = app->add_subcommand("capture", "Capture a hand: one picture under the LEDs, one per laser");
-  c->add_option("out_dir", arguments->out, "folder to write; it appears when the capture is whole")
-      ->required();
+  c->add_option("out_dir", arguments->out,
+                "folder to write; it appears when the capture is whole (default: captures/DATE-TIME)");
   c->add_option("--device", arguments->device, "device description (TOML), or virtual[:SEED]")->required();
   c->add_option(
       "-c,--calibration", arguments->calibration,

@@ -5,6 +5,7 @@
 
 #include "captures/green_channel.h"
 #include "captures/image_file.h"
+#include "imaging/motion.h"
 #include "jobs/find_object.h"
 #include "jobs/laser_agreement.h"
 #include "stripes/order_shift.h"
@@ -67,6 +68,20 @@ void DropOutliers(const std::vector<PointVerdict>& verdicts, SurfacePoints* poin
   points->resize(kept);
 }
 
+// Where the capture shows the hand once more at its end.
+void WarnOfMotion(const CaptureImages& capture, std::vector<std::string>* warnings) {
+  constexpr double kLeastPx = 0.5;
+  if (!capture.hand_after) return;
+  const PictureMotion motion = MeasureMotion(capture.hand, *capture.hand_after);
+  if (motion.shift_px < kLeastPx) return;
+  char text[128];
+  std::snprintf(text, sizeof text,
+                "the object moved by %.1f px or more while it was captured, so heights are worse than their "
+                "sigma says; capture again",
+                motion.shift_px);
+  warnings->emplace_back(text);
+}
+
 }  // namespace
 
 Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::string& where) {
@@ -100,6 +115,7 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
                              " shows no stripe on the object; is it on?");
     }
   }
+  WarnOfMotion(capture, &out.warnings);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("surface", 0.6);
   Triangulation triangulation =

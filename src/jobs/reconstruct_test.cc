@@ -270,5 +270,26 @@ TEST(ReconstructOptionsTest, EveryDefaultIsAllowedByItsOwnRange) {
   }
 }
 
+TEST(ReconstructTest, AnObjectThatMovedWhileItWasCapturedIsSaid) {
+  const TempFolder dir;
+  const fs::path capture = dir / "capture";
+  ScanFixture::CopyFolder(ScanFixture::CaptureDir(ScanFixture::kBox), capture);
+  const auto warnings = [&] {
+    ReconstructRequest request = RequestFor(capture, dir / "out");
+    request.report = false;
+    const auto summary = ReconstructFolder(request, {});
+    EXPECT_TRUE(summary.ok());
+    return summary.ok() ? summary->warnings.size() : 99U;
+  };
+  const std::size_t usual = warnings();
+  const cv::Mat hand = cv::imread((capture / "bgHand.png").string());
+  ASSERT_TRUE(cv::imwrite((capture / "bgHandAfter.png").string(), hand));
+  EXPECT_EQ(warnings(), usual);
+  cv::Mat moved;
+  cv::copyMakeBorder(hand.colRange(0, hand.cols - 2), moved, 0, 0, 2, 0, cv::BORDER_REPLICATE);
+  ASSERT_TRUE(cv::imwrite((capture / "bgHandAfter.png").string(), moved));
+  EXPECT_EQ(warnings(), usual + 1);
+}
+
 }  // namespace
 }  // namespace dorsum
