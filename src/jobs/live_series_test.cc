@@ -10,6 +10,9 @@
 #include "captures/image_file.h"
 #include "device/hooked_device_test.h"
 #include "jobs/calibrate.h"
+#include "jobs/capture.h"
+#include "jobs/evaluate.h"
+#include "jobs/reconstruct.h"
 #include "jobs/virtual_device_test.h"
 
 namespace dorsum {
@@ -81,6 +84,39 @@ TEST_F(LiveSeriesTest, AWholeSeriesCalibratesAndEveryLaserGuidesItsBoard) {
   EXPECT_EQ(again->kept, again->steps);
   EXPECT_TRUE(attendant_.said.empty());
   EXPECT_EQ(again->board_coverage, summary->board_coverage);
+}
+
+// RMSE of a box of 25.5 mm (5.1), all lasers.
+double BoxError(const fs::path& capture, const fs::path& calibration, const fs::path& out) {
+  ReconstructRequest request;
+  request.capture_dir = capture;
+  request.calibration_path = calibration;
+  request.out_dir = out;
+  request.report = false;
+  const auto summary = ReconstructFolder(request, {});
+  if (!summary.ok()) throw std::runtime_error(summary.error().message);
+  EvaluateRequest how;
+  how.out_dirs = {out};
+  how.plane_height_mm = 25.5;
+  return Evaluate(how, {}).value().captures.at(0).models.back().rmse_mm;
+}
+
+TEST_F(LiveSeriesTest, TheLiveWayIsAsAccurateAsFolders) {
+  const auto taken = Take();
+  ASSERT_TRUE(taken.ok()) << taken.error().message;
+  const auto run = CalibrateFolder(request_.dir, dir_ / "calibration.json", {}, {});
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  ASSERT_TRUE(device_.bench->PlaceNamed(ScanFixture::kBox).ok());
+  CaptureRequest capture;
+  capture.out_dir = dir_ / "box";
+  capture.calibration_path = dir_ / "calibration.json";
+  const auto captured = CaptureToFolder(device_, capture, {});
+  ASSERT_TRUE(captured.ok()) << captured.error().message;
+  const double live = BoxError(dir_ / "box", dir_ / "calibration.json", dir_ / "live"),
+               folders = BoxError(ScanFixture::CaptureDir(ScanFixture::kBox), ScanFixture::CalibrationJson(),
+                                  dir_ / "folders");
+  EXPECT_LT(live, 1.25 * folders) << folders;
+  EXPECT_GT(live, 0.8 * folders) << folders;
 }
 
 TEST_F(LiveSeriesTest, AnInterruptedSeriesGoesOnWhereItEnded) {
