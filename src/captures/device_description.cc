@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/toml.h"
+#include "captures/device_description_toml.h"
 #include "captures/device_section.h"
 #include "captures/names.h"
 
@@ -163,6 +165,26 @@ void ReadImperfections(DeviceSection& root, DeviceDescription& d) {
   skin.RefuseUnknownKeys();
 }
 
+Result<DeviceDescription> DescriptionIn(const toml::table& table, const std::string& where) {
+  std::string error;
+  DeviceSection root(table, "", where, &error);
+  DeviceDescription d;
+  root.Read("name", d.name);
+  ReadCamera(root.Sub("camera"), d.camera);
+  ReadSensor(root.Sub("sensor"), d.sensor);
+  ReadGrating(root.Sub("grating"), d.grating);
+  for (const DeviceSection& s : root.Subs("laser", kMaxLasers)) {
+    ReadLaser(s, d.lasers.emplace_back());
+    if (d.lasers.back().channel < 0) d.lasers.back().channel = static_cast<int>(d.lasers.size()) - 1;
+  }
+  for (const DeviceSection& s : root.Subs("led", 8)) ReadLed(s, d.leds.emplace_back());
+  ReadSmallSections(root, d);
+  ReadImperfections(root, d);
+  root.RefuseUnknownKeys();
+  if (!error.empty()) return BadInput(error);
+  return d;
+}
+
 }  // namespace
 
 double GratingDesign::Step() const {
@@ -190,23 +212,16 @@ DeviceDescription DefaultDevice() {
 
 Result<DeviceDescription> ReadDeviceDescription(const std::filesystem::path& path) {
   DORSUM_ASSIGN_OR_RETURN(const toml::table table, ReadTomlFile(path));
-  std::string error;
-  DeviceSection root(table, "", path.string(), &error);
-  DeviceDescription d;
-  root.Read("name", d.name);
-  ReadCamera(root.Sub("camera"), d.camera);
-  ReadSensor(root.Sub("sensor"), d.sensor);
-  ReadGrating(root.Sub("grating"), d.grating);
-  for (const DeviceSection& s : root.Subs("laser", kMaxLasers)) {
-    ReadLaser(s, d.lasers.emplace_back());
-    if (d.lasers.back().channel < 0) d.lasers.back().channel = static_cast<int>(d.lasers.size()) - 1;
+  return DescriptionIn(table, path.string());
+}
+
+Result<DeviceDescription> ParseDeviceDescription(std::string_view text, const std::string& where) {
+  try {
+    return DescriptionIn(toml::parse(text), where);
+  } catch (const toml::parse_error& e) {
+    return BadInput(where + ", line " + std::to_string(e.source().begin.line) + ": " +
+                    std::string(e.description()));
   }
-  for (const DeviceSection& s : root.Subs("led", 8)) ReadLed(s, d.leds.emplace_back());
-  ReadSmallSections(root, d);
-  ReadImperfections(root, d);
-  root.RefuseUnknownKeys();
-  if (!error.empty()) return BadInput(error);
-  return d;
 }
 
 }  // namespace dorsum
