@@ -46,6 +46,8 @@ std::string Text(std::span<const double> values) {
   return out + "]";
 }
 
+std::string Text(const std::array<int, 2>& pair) { return "[" + Text(pair[0]) + ", " + Text(pair[1]) + "]"; }
+
 std::string Text(const Eigen::Vector3d& v) { return Text(std::span<const double>(v.data(), 3)); }
 
 // Grows by one line for each key.
@@ -66,7 +68,7 @@ class Writer {
 void WriteCamera(const CameraDesign& camera, Writer& w) {
   w.Table("[camera]");
   w.Key("source", camera.source);
-  w.Key("resolution_px", std::array<double, 2>{double(camera.width), double(camera.height)});
+  w.Key("resolution_px", std::array<int, 2>{camera.width, camera.height});
   w.Key("focal_length_px", camera.focal_length_px);
   w.Key("distortion", camera.distortion);
   w.Key("position_mm", camera.position_mm);

@@ -33,8 +33,8 @@ DeviceDescription OddDevice() {
     if (auto* sub = node.as_table()) {
       for (auto&& [key, value] : *sub) {
         if (key == "resolution_px") {
-          *value.as_array()->get(0)->as_floating_point() = 1280.0;
-          *value.as_array()->get(1)->as_floating_point() = 1024.0;
+          *value.as_array()->get(0)->as_integer() = 1280;
+          *value.as_array()->get(1)->as_integer() = 1024;
         } else if (key == "format" || key == "fan") {
           *value.as_string() = key == "fan" ? "conical" : "png";
         } else if (key == "stream_jpeg_quality") {

@@ -17,6 +17,7 @@ void AddDoctor(CLI::App* app, Session* session);
 void AddReconstruct(CLI::App* app, Session* session);
 void AddStripes(CLI::App* app, Session* session);
 void AddEvaluate(CLI::App* app, Session* session);
+void AddDesign(CLI::App* app, Session* session);
 
 // The options that every command has.
 void AddCommonOptions(CLI::App* command, Session* session);

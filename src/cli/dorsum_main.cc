@@ -44,6 +44,7 @@ int RunProgram(int argc, char** argv) {
   dorsum::AddStripes(&app, &session);
   dorsum::AddReconstruct(&app, &session);
   dorsum::AddEvaluate(&app, &session);
+  dorsum::AddDesign(&app, &session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
