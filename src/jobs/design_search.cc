@@ -9,6 +9,7 @@
 
 #include "jobs/design_ambiguity.h"
 #include "jobs/design_changes.h"
+#include "jobs/design_combs.h"
 #include "jobs/design_field.h"
 #include "jobs/design_report.h"
 
@@ -236,8 +237,13 @@ double BestPitch(const DeviceDescription& d, double least_mm) {
         phase.push_back(at - std::floor(at));
       }
       std::sort(phase.begin(), phase.end());
-      double gap = phase.front() + 1.0 - phase.back();
-      for (std::size_t k = 1; k < lasers; ++k) gap = std::max(gap, phase[k] - phase[k - 1]);
+      double gap = phase.front() + 1.0 - phase.back(), closest = gap;
+      for (std::size_t k = 1; k < lasers; ++k) {
+        gap = std::max(gap, phase[k] - phase[k - 1]);
+        closest = std::min(closest, phase[k] - phase[k - 1]);
+      }
+      // Stripes on one another cost as much as a gap that is half a spacing wider.
+      gaps += 4.0 * std::max(0.0, kCombsCoincide - closest);
       gaps += gap;
     }
     if (gaps < least_gap - 1e-9) {

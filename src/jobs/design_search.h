@@ -51,7 +51,7 @@ Result<SearchResult> SearchDesigns(const DeviceDescription& base, const Eigen::V
                                    const Context& context);
 
 // The distance between neighbouring lasers, from `least` to a spacing more (at least 30 mm), whose combs
-// leave the smallest gaps over the working volume, on average.
+// leave the smallest gaps over the working volume, on average, and seldom lie on one another.
 double BestPitch(const DeviceDescription& description, double least_mm);
 
 }  // namespace dorsum
