@@ -127,13 +127,15 @@ HtmlTable SearchTable(const SearchResult& search) {
 }
 
 std::vector<HtmlFact> Facts(const DesignReport& r) {
-  return {{"Grating", FormatNumber(r.device.description.grating.lines_per_mm, 0), "lines/mm"},
-          {"Points", FormatNumber(r.points_per_cm2, 0), "per cm2"},
-          {"Expected error", FormatNumber(r.pooled_sigma_mm, 3), "mm"},
-          {"Spacing of a laser's stripes", FormatNumber(r.lasers.front().volume.spacing_low_mm, 1), "mm"},
-          {"Unambiguous alone", FormatNumber(r.lasers.front().unambiguous_mm, 0), "mm"},
-          {"View on the backplane",
-           FormatNumber(r.seen_low_mm.x(), 0) + " x " + FormatNumber(r.seen_low_mm.y(), 0), "mm"}};
+  return {
+      {"Grating", FormatNumber(r.device.description.grating.lines_per_mm, 0), "lines/mm"},
+      {"Points", FormatNumber(r.points_per_cm2, 0), "per cm2"},
+      {"Expected error", FormatNumber(r.pooled_sigma_mm, 3), "mm"},
+      {"Spacing of a laser's stripes", FormatNumber(r.lasers.front().volume.spacing_low_mm, 1), "mm"},
+      {"Unambiguous alone",
+       FormatNumber(*std::min_element(r.ambiguity.single_mm.begin(), r.ambiguity.single_mm.end()), 0), "mm"},
+      {"View on the backplane",
+       FormatNumber(r.seen_low_mm.x(), 0) + " x " + FormatNumber(r.seen_low_mm.y(), 0), "mm"}};
 }
 
 }  // namespace
@@ -144,8 +146,8 @@ DesignPictures DrawDesign(const DesignReport& report) {
   DesignPictures out;
   out.side = DrawDesignFromTheSide(drawing);
   out.seen = DrawDesignAsSeen(drawing);
-  out.depth = DrawDesignCurves(OverX(report, [](const FieldSample& s) { return s.depth_mm_per_px; }), x,
-                               "depth per pixel (mm/px)");
+  out.depth = DrawDesignCurves(OverX(report, [](const FieldSample& s) { return 1e3 * s.depth_mm_per_px; }), x,
+                               "depth per pixel (um/px)");
   out.spacing = DrawDesignCurves(OverX(report, [](const FieldSample& s) { return s.spacing_mm; }), x,
                                  "stripe spacing (mm)");
   out.error = DrawDesignCurves(OverX(report, [](const FieldSample& s) { return 1e3 * s.pooled_sigma_mm; }), x,

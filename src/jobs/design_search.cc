@@ -114,7 +114,7 @@ std::optional<DeviceDescription> WithGrating(DeviceDescription d, double lines,
   }
   const double across = 2.0 * orders + 1.0;
   if (across < 5.0) {
-    *why = "shows " + Figure(across, 0) + " stripes of a laser over the hand area: the first order lies " +
+    *why = "gives at most " + Figure(across, 0) + " stripes of a laser: the first order lies " +
            Figure(OrderSpacing(GratingOf(d.grating), d.lasers.front().position_mm.z()).value_or(0.0), 0) +
            " mm beside the central one";
     return std::nullopt;

@@ -178,7 +178,7 @@ TEST(DesignSearch, TheBestMeetsTheConstraintsAndTheRestSaysWhy) {
   ASSERT_GE(found.hits.size(), 2U);
   for (std::size_t i = 1; i < found.hits.size(); ++i) EXPECT_GE(found.hits[i - 1].merit, found.hits[i].merit);
   EXPECT_EQ(found.hits.size() + found.refused.size(), 4U);
-  EXPECT_TRUE(Has(found.refused.back(), "1000 lines/mm shows 3 stripes")) << found.refused.back();
+  EXPECT_TRUE(Has(found.refused.back(), "1000 lines/mm gives at most 3 stripes")) << found.refused.back();
   // The best, judged anew and finer.
   const DesignReport& best = summary->report;
   EXPECT_EQ(best.device.description.grating.lines_per_mm, found.hits[0].description.grating.lines_per_mm);
