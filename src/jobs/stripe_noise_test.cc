@@ -59,6 +59,7 @@ TEST(StripeNoise, DrawnRowsWithSpeckleScatterAsStated) {
   }
   for (int row = 0; row < kRows; ++row) {
     std::vector<double> white;
+    white.reserve(2 * (kHalf + kPad) + 1);
     for (int i = 0; i < 2 * (kHalf + kPad) + 1; ++i) white.push_back(rng.Normal());
     double top = 0.0, information = 0.0;
     for (int i = -kHalf; i <= kHalf; ++i) {

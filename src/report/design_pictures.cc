@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 #include <opencv2/imgproc.hpp>
 
@@ -116,12 +117,12 @@ cv::Mat DrawDesignAsSeen(const DesignDrawing& drawing, int width) {
     return cv::Point2d(scale * (pixel.x() + 0.5) - 0.5, scale * (pixel.y() + 0.5) - 0.5);
   };
   const cv::Rect2d picture(-50.0, -50.0, width + 100.0, height + 100.0);
-  for (auto stripe = drawing.stripes.rbegin(); stripe != drawing.stripes.rend(); ++stripe) {
-    const bool first = stripe->laser == 0;
-    const Colour colour = Mix(OrderColour(stripe->order), kNight, first ? 0.0 : 0.7);
-    for (std::size_t i = 1; i < stripe->points.size(); ++i) {
+  for (const DesignDrawing::Stripe& stripe : drawing.stripes | std::views::reverse) {
+    const bool first = stripe.laser == 0;
+    const Colour colour = Mix(OrderColour(stripe.order), kNight, first ? 0.0 : 0.7);
+    for (std::size_t i = 1; i < stripe.points.size(); ++i) {
       // Points far outside would come back through the lens' distortion.
-      const cv::Point2d a = at(stripe->points[i - 1]), b = at(stripe->points[i]);
+      const cv::Point2d a = at(stripe.points[i - 1]), b = at(stripe.points[i]);
       if (picture.contains(a) && picture.contains(b)) DrawLine(canvas, a, b, colour, first ? 3 : 2);
     }
   }

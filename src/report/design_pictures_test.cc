@@ -47,7 +47,7 @@ TEST(DesignPictures, StripesLieWhereTheCameraSeesThem) {
 
 TEST(DesignPictures, ADeviceFarToOneSideStillFitsThePicture) {
   DesignDrawing d = SmallDrawing();
-  d.gratings.push_back({500.0, 0.0, 900.0});
+  d.gratings.emplace_back(500.0, 0.0, 900.0);
   d.stripes.push_back({1, -3, {{1e6, 0.0, 0.0}}});
   d.stripes.push_back({1, 2, {}});
   const cv::Mat picture = DrawDesignFromTheSide(d, {800, 600});
