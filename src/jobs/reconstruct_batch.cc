@@ -2,12 +2,16 @@
 #include "jobs/reconstruct_batch.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "base/csv.h"
 #include "base/files.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
+#include "jobs/campaign_disk.h"
+#include "jobs/campaign_files.h"
+#include "jobs/campaign_names.h"
 #include "jobs/read_ahead.h"
 #include "jobs/reconstruct_folder.h"
 
@@ -16,18 +20,55 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::vector<std::string>> FindCaptureFolders(const fs::path& dir) {
+struct BatchSource {
+  std::string name;
+  fs::path folder, calibration;
+};
+
+Result<std::vector<BatchSource>> FindCaptureFolders(const ReconstructRequest& request) {
+  const fs::path& dir = request.capture_dir;
   std::error_code ec, ignored;
-  std::vector<std::string> names;
+  std::vector<BatchSource> sources;
   for (const auto& entry : fs::directory_iterator(dir, ec)) {
     if (entry.is_directory(ignored) && FindImage(entry.path(), kBgHandName)) {
-      names.push_back(entry.path().filename().string());
+      sources.push_back({entry.path().filename().string(), entry.path(), request.calibration_path});
     }
   }
   if (ec) return BadInput("cannot read the folder " + dir.string() + ": " + ec.message());
-  if (names.empty()) return BadInput("no folder in " + dir.string() + " holds an image bgHand");
-  std::sort(names.begin(), names.end());
-  return names;
+  if (sources.empty()) return BadInput("no folder in " + dir.string() + " holds an image bgHand");
+  std::sort(sources.begin(), sources.end(),
+            [](const BatchSource& a, const BatchSource& b) { return a.name < b.name; });
+  return sources;
+}
+
+// Captures that the campaign counts, each with the calibration that it was stored with unless one is given.
+Result<std::vector<BatchSource>> FindCampaignCaptures(const ReconstructRequest& request,
+                                                      const Context& context) {
+  const fs::path& dir = request.capture_dir;
+  std::error_code ec;
+  const fs::path from_campaign =
+      fs::weakly_canonical(request.out_dir, ec).lexically_relative(fs::weakly_canonical(dir, ec));
+  if (!from_campaign.empty() && *from_campaign.begin() != "..") {
+    return BadInput("the surfaces of " + request.out_dir.string() +
+                    " would lie in the campaign, which holds captures only; name another folder to write to");
+  }
+  DORSUM_ASSIGN_OR_RETURN(const CampaignLock lock,
+                          CampaignLock::Take(dir, CampaignLock::Kind::kReader, context));
+  DORSUM_ASSIGN_OR_RETURN(const std::vector<CampaignCapture> captures, ListCaptures(dir));
+  if (captures.empty()) return BadInput("the campaign " + dir.string() + " has no captures yet");
+  std::vector<BatchSource> sources;
+  for (const CampaignCapture& c : captures) {
+    BatchSource source{c.Name(), c.Folder(dir), request.calibration_path};
+    if (source.calibration.empty()) {
+      if (c.stored.calibration.empty()) {
+        return BadInput(source.folder.string() +
+                        " was stored without a calibration; name one with --calibration");
+      }
+      source.calibration = CalibrationFile(dir, c.stored.calibration);
+    }
+    sources.push_back(std::move(source));
+  }
+  return sources;
 }
 
 // When a folder last changed: the newest of its files, and of their coming and going.
@@ -120,9 +161,24 @@ int BatchSummary::Count(BatchOutcome outcome) const {
                                         [&](const BatchCapture& c) { return c.outcome == outcome; }));
 }
 
+bool HoldsCampaign(const fs::path& dir) {
+  std::error_code ec;
+  return fs::is_regular_file(dir / kCampaignJson, ec);
+}
+
 Result<BatchSummary> ReconstructBatch(const ReconstructRequest& request, const Context& context) {
-  DORSUM_ASSIGN_OR_RETURN(const LoadedCalibration calibration, LoadCalibration(request.calibration_path));
-  DORSUM_ASSIGN_OR_RETURN(const std::vector<std::string> names, FindCaptureFolders(request.capture_dir));
+  std::map<fs::path, LoadedCalibration> calibrations;  // few, of one device
+  const auto load = [&](const fs::path& path) -> Status {
+    if (calibrations.contains(path)) return {};
+    DORSUM_ASSIGN_OR_RETURN(LoadedCalibration loaded, LoadCalibration(path));
+    calibrations.emplace(path, std::move(loaded));
+    return {};
+  };
+  const bool campaign = HoldsCampaign(request.capture_dir);
+  if (!campaign) DORSUM_RETURN_IF_ERROR(load(request.calibration_path));
+  DORSUM_ASSIGN_OR_RETURN(const std::vector<BatchSource> sources,
+                          campaign ? FindCampaignCaptures(request, context) : FindCaptureFolders(request));
+  for (const BatchSource& source : sources) DORSUM_RETURN_IF_ERROR(load(source.calibration));
   std::error_code ec;
   if (fs::equivalent(request.capture_dir, request.out_dir, ec)) {
     return BadInput("the surfaces of " + request.out_dir.string() +
@@ -133,14 +189,15 @@ Result<BatchSummary> ReconstructBatch(const ReconstructRequest& request, const C
   const fs::path table = request.out_dir / kBatchTable;
   DORSUM_RETURN_IF_ERROR(WriteTable(table, {}));  // rather now than after hours
 
-  std::vector<std::optional<BatchCapture>> captures(names.size());
+  std::vector<std::optional<BatchCapture>> captures(sources.size());
   std::vector<ReconstructRequest> todo;
   std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
     ReconstructRequest one = request;
-    one.capture_dir = request.capture_dir / names[i];
-    one.out_dir = request.out_dir / names[i];
-    captures[i] = KeptResult(one, RecipeOf(one, calibration));
+    one.capture_dir = sources[i].folder;
+    one.calibration_path = sources[i].calibration;
+    one.out_dir = request.out_dir / sources[i].name;
+    captures[i] = KeptResult(one, RecipeOf(one, calibrations.at(sources[i].calibration)));
     if (captures[i]) continue;
     todo.push_back(std::move(one));
     places.push_back(i);
@@ -150,23 +207,25 @@ Result<BatchSummary> ReconstructBatch(const ReconstructRequest& request, const C
   alone.progress = nullptr;
   const Status finished = ReadAhead<Result<CaptureImages>>(
       todo.size(), context,
-      [&](std::size_t i) { return LoadCapture(todo[i].capture_dir, {}, calibration.lasers); },
+      [&](std::size_t i) {
+        return LoadCapture(todo[i].capture_dir, {}, calibrations.at(todo[i].calibration_path).lasers);
+      },
       [&](std::size_t i, const Result<CaptureImages>& images) {
-        BatchCapture done = Work(images, todo[i], calibration, alone);
+        BatchCapture done = Work(images, todo[i], calibrations.at(todo[i].calibration_path), alone);
         if (!context.IsCancelled() || done.outcome == BatchOutcome::kDone)
           captures[places[i]] = std::move(done);
       });
   BatchSummary summary;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
     if (!captures[i]) continue;
-    captures[i]->name = names[i];
+    captures[i]->name = sources[i].name;
     summary.captures.push_back(std::move(*captures[i]));
   }
   DORSUM_RETURN_IF_ERROR(WriteTable(table, summary));
   if (finished.ok()) return summary;
   return Error{finished.error().code,
                finished.error().message + " after " + std::to_string(summary.captures.size()) + " of " +
-                   std::to_string(names.size()) + " captures; the same command goes on from there"};
+                   std::to_string(sources.size()) + " captures; the same command goes on from there"};
 }
 
 }  // namespace dorsum
