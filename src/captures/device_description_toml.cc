@@ -76,6 +76,12 @@ void WriteCamera(const CameraDesign& camera, Writer& w) {
   w.Key("format", camera.format);
   w.Key("jpeg_quality", camera.jpeg_quality);
   w.Key("stream_jpeg_quality", camera.stream_jpeg_quality);
+  w.Key("stream_format", camera.stream_format);
+  w.Key("laser_exposure_s", camera.laser_exposure_s);
+  w.Key("led_exposure_s", camera.led_exposure_s);
+  w.Key("gain", camera.gain);
+  w.Key("focus", camera.focus);
+  w.Key("white_balance_k", camera.white_balance_k);
 }
 
 void WriteSensor(const SensorDesign& sensor, Writer& w) {

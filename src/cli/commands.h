@@ -18,6 +18,7 @@ void AddReconstruct(CLI::App* app, Session* session);
 void AddStripes(CLI::App* app, Session* session);
 void AddEvaluate(CLI::App* app, Session* session);
 void AddDesign(CLI::App* app, Session* session);
+void AddCampaign(CLI::App* app, Session* session);
 
 // The options that every command has.
 void AddCommonOptions(CLI::App* command, Session* session);

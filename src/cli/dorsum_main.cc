@@ -45,6 +45,7 @@ int RunProgram(int argc, char** argv) {
   dorsum::AddReconstruct(&app, &session);
   dorsum::AddEvaluate(&app, &session);
   dorsum::AddDesign(&app, &session);
+  dorsum::AddCampaign(&app, &session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

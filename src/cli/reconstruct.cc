@@ -82,6 +82,10 @@ void Run(Arguments* arguments, CLI::App* command, Session* session) {
       !s.ok()) {
     return session->Fail(s.error());
   }
+  if (arguments->calibration.empty() && !(arguments->batch && HoldsCampaign(arguments->capture))) {
+    return session->Fail(UsageError(
+        "--calibration is required, but for --batch of a campaign; see dorsum reconstruct --help"));
+  }
   ReconstructRequest& request = arguments->request;
   request.capture_dir = arguments->capture;
   request.calibration_path = arguments->calibration;
@@ -99,7 +103,9 @@ void AddReconstruct(CLI::App* app, Session* session) {
        "capture_dir", arguments->capture,
        "folder with bgHand and stripesHand0, stripesHand1, …; with --batch, a folder of such folders")
       ->required();
-  c->add_option("-c,--calibration", arguments->calibration, "calibration.json of the device")->required();
+  c->add_option(
+      "-c,--calibration", arguments->calibration,
+      "calibration.json of the device; needed but for --batch of a campaign, whose captures have theirs");
   c->add_option("-o,--out", arguments->out, "folder to write")->required();
   c->add_option("--method", arguments->request.options.method,
                 "how, for all stages that say auto: ours (default) or the document's way (classic)")
@@ -117,15 +123,16 @@ void AddReconstruct(CLI::App* app, Session* session) {
               "also write every stage's intermediate image to OUT/stages");
   c->add_flag(
       "--batch", arguments->batch,
-      "reconstruct every capture of a folder, each to a folder of its name in OUT; those that an earlier "
-      "run did in the same way are kept");
+      "reconstruct every capture of a folder or campaign, each to a folder of its name in OUT; those that "
+      "an earlier run did in the same way are kept");
   c->add_option("--settings", arguments->settings,
                 "TOML file whose [reconstruct] table sets the options below");
   AddTable(c, &arguments->table);
   AddCommonOptions(c, session);
   c->footer(
       "Example: dorsum reconstruct scan/captures/box25.5 -c calibration.json -o box25.5\n"
-      "         dorsum reconstruct scan/captures -c calibration.json -o surfaces --batch --no-report");
+      "         dorsum reconstruct scan/captures -c calibration.json -o surfaces --batch --no-report\n"
+      "         dorsum reconstruct study -o surfaces --batch");
   c->callback([arguments, c, session] { Run(arguments.get(), c, session); });
 }
 

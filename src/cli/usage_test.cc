@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kCommands = {"simulate",    "board",    "calibrate", "capture", "doctor",
-                                            "reconstruct", "evaluate", "design"};
+const std::vector<std::string> kCommands = {"simulate", "board",       "calibrate", "capture", "doctor",
+                                            "campaign", "reconstruct", "evaluate",  "design"};
 
 // Wrong usage: exit code 2, one sentence that names the culprit, and nothing read or written.
 void ExpectUsageError(const std::vector<std::string>& arguments, const std::string& culprit) {
