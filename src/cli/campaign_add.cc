@@ -5,13 +5,15 @@
 
 #include "cli/campaign_commands.h"
 #include "cli/commands.h"
+#include "device/device.h"
 #include "jobs/campaign_names.h"
+#include "jobs/capture.h"
 
 namespace dorsum {
 namespace {
 
 struct Arguments {
-  std::string dir, hand, from, calibration;
+  std::string dir, hand, from, device, calibration;
   CampaignPerson person{"", "not-said", "not-said", "", false};
   bool correct = false;
   int session = 0;
@@ -23,12 +25,36 @@ void RunPerson(const Arguments& a, Session* session) {
   session->Print("person " + a.person.id + "\n", {{"person", a.person.id}});
 }
 
+// Captures with the device, which is told the calibration, to know a hand from the backplane.
+CaptureMaker CaptureWith(const Arguments& a, std::vector<std::string>* warnings) {
+  return [&a, warnings](const std::filesystem::path& folder, const Context& context) -> Status {
+    CaptureRequest request;
+    request.out_dir = folder;
+    request.calibration_path = a.calibration;
+    if (a.calibration.empty()) {
+      DORSUM_ASSIGN_OR_RETURN(const auto present, PresentCalibration(a.dir));
+      request.calibration_path = present.value_or("");
+    }
+    DORSUM_ASSIGN_OR_RETURN(Device device, OpenDevice(a.device, context));
+    DORSUM_ASSIGN_OR_RETURN(const CaptureSummary summary, CaptureToFolder(device, request, context));
+    *warnings = summary.warnings;
+    return {};
+  };
+}
+
 void RunCapture(const Arguments& a, Session* session) {
-  AddCaptureRequest request{a.dir, a.person.id, *HandOfWord(a.hand), std::nullopt, a.calibration, a.from};
+  if (a.from.empty() == a.device.empty())
+    return session->Fail(
+        UsageError("--hand needs one of --from and --device; see dorsum campaign add --help"));
+  const std::string source = a.from.empty() ? "the capture with " + a.device : a.from;
+  std::vector<std::string> warnings;
+  AddCaptureRequest request{a.dir, a.person.id, *HandOfWord(a.hand), std::nullopt, a.calibration, source};
   if (a.session > 0) request.session = a.session;
-  const auto added = AddCapture(request, ImportCapture(a.from), session->MakeContext());
+  const auto added = AddCapture(request, a.from.empty() ? CaptureWith(a, &warnings) : ImportCapture(a.from),
+                                session->MakeContext());
   if (!added.ok()) return session->Fail(added.error());
-  session->Warn(added->warnings);
+  warnings.insert(warnings.end(), added->warnings.begin(), added->warnings.end());
+  session->Warn(warnings);
   const CampaignCapture& c = added->capture;
   session->Print(c.Folder(a.dir).string() + "\n" + a.hand + " hand, session " + std::to_string(c.session) +
                      ": capture " + std::to_string(c.stored.number) + " of " +
@@ -39,7 +65,7 @@ void RunCapture(const Arguments& a, Session* session) {
                   {"capture", c.stored.number},
                   {"planned", added->planned},
                   {"folder", c.Folder(a.dir).string()},
-                  {"warnings", added->warnings}});
+                  {"warnings", warnings}});
 }
 
 }  // namespace
@@ -60,16 +86,19 @@ void AddCampaignAdd(CLI::App* campaign, Session* session) {
   auto* number = c->add_option("--session", a->session, "visit of the person; the last one without it")
                      ->check(CLI::Range(1, kMaxSessions));
   auto* from = c->add_option("--from", a->from, "capture folder to import: bgHand, stripesHand0, …");
+  auto* device =
+      c->add_option("--device", a->device, "capture with this device: device.toml, or virtual[:SEED]");
   auto* calibration = c->add_option("-c,--calibration", a->calibration,
                                     "calibration.json of the device from this capture on");
   // Either a person or a capture.
-  for (CLI::Option* of_capture : {number, from, calibration}) of_capture->needs(hand);
+  for (CLI::Option* of_capture : {number, from, device, calibration}) of_capture->needs(hand);
   for (CLI::Option* of_person : {sex, age, consent, correct}) of_person->excludes(hand);
-  hand->needs(from);
+  from->excludes(device);
   AddCommonOptions(c, session);
   c->footer(
       "Example: dorsum campaign add study --id p01 --sex woman --age-group 20-29 --consent-date 2024-05-31\n"
-      "         dorsum campaign add study --id p01 --hand left --from captures/hand1");
+      "         dorsum campaign add study --id p01 --hand left --from captures/hand1\n"
+      "         dorsum campaign add study --id p01 --hand left --device device.toml");
   c->callback([a, session] { a->hand.empty() ? RunPerson(*a, session) : RunCapture(*a, session); });
 }
 
