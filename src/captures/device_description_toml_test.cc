@@ -35,8 +35,10 @@ DeviceDescription OddDevice() {
         if (key == "resolution_px") {
           *value.as_array()->get(0)->as_integer() = 1280;
           *value.as_array()->get(1)->as_integer() = 1024;
-        } else if (key == "format" || key == "fan") {
-          *value.as_string() = key == "fan" ? "conical" : "png";
+        } else if (key == "format" || key == "fan" || key == "stream_format") {
+          *value.as_string() = key == "fan" ? "conical" : key == "format" ? "png" : "raw";
+        } else if (key == "white_balance_k") {
+          *value.as_integer() = 5600;
         } else if (key == "stream_jpeg_quality") {
           *value.as_integer() = 31;
         } else if (auto* words = value.as_string()) {

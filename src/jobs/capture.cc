@@ -125,8 +125,25 @@ Result<std::optional<ReadyCalibration>> LoadReady(const fs::path& path, const Ca
   return std::optional(std::move(ready));
 }
 
-Result<std::vector<std::string>> Write(const CameraDesign& camera, const CaptureImages& capture,
-                                       const fs::path& out_dir) {
+}  // namespace
+
+Result<TakenCapture> TakeCapture(Device& device, const CaptureRequest& request,
+                                 const ReadyCalibration* calibration, const Context& context) {
+  if (request.average < 1 || request.average > 64) return UsageError("average must be 1 to 64 frames");
+  if (request.retries < 0 || request.retries > 10) return UsageError("retries must be 0 to 10");
+  DORSUM_ASSIGN_OR_RETURN(const std::vector<int> lasers, LasersToLight(device.description, request.lasers));
+  Session session(device, request, context);
+  Result<CaptureImages> images = session.Take(lasers, calibration);
+  const Status off = device.lights->Set({});
+  if (!images.ok()) return images.error();
+  DORSUM_RETURN_IF_ERROR(off);
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  return TakenCapture{std::move(images).value(), session.retried()};
+}
+
+Result<std::vector<std::string>> SaveCapture(const CameraDesign& camera, const CaptureImages& capture,
+                                             const fs::path& out_dir) {
+  DORSUM_RETURN_IF_ERROR(CheckTarget(out_dir));
   DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(out_dir));
   std::vector<std::string> files;
   const auto write = [&](const std::string& name, const cv::Mat& picture) -> Status {
@@ -139,35 +156,27 @@ Result<std::vector<std::string>> Write(const CameraDesign& camera, const Capture
     if (!capture.stripes[k]) continue;
     DORSUM_RETURN_IF_ERROR(write(StripesHandName(static_cast<int>(k)), *capture.stripes[k]));
   }
-  DORSUM_RETURN_IF_ERROR(write(kBgHandAfterName, *capture.hand_after));
+  if (capture.hand_after) DORSUM_RETURN_IF_ERROR(write(kBgHandAfterName, *capture.hand_after));
   DORSUM_RETURN_IF_ERROR(staged.Commit());
   return files;
 }
 
-}  // namespace
-
 Result<CaptureSummary> CaptureToFolder(Device& device, const CaptureRequest& request,
                                        const Context& context) {
-  if (request.average < 1 || request.average > 64) return UsageError("average must be 1 to 64 frames");
-  if (request.retries < 0 || request.retries > 10) return UsageError("retries must be 0 to 10");
-  DORSUM_ASSIGN_OR_RETURN(const std::vector<int> lasers, LasersToLight(device.description, request.lasers));
   DORSUM_RETURN_IF_ERROR(CheckTarget(request.out_dir));
   DORSUM_ASSIGN_OR_RETURN(const auto ready, LoadReady(request.calibration_path, device.description.camera));
-  Session session(device, request, context);
-  Result<CaptureImages> taken = session.Take(lasers, ready ? &*ready : nullptr);
-  const Status off = device.lights->Set({});
-  if (!taken.ok()) return taken.error();
-  DORSUM_RETURN_IF_ERROR(off);
-  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  DORSUM_ASSIGN_OR_RETURN(const TakenCapture taken,
+                          TakeCapture(device, request, ready ? &*ready : nullptr, context));
   CaptureSummary summary;
   summary.warnings = device.frames->warnings();
-  summary.warnings.insert(summary.warnings.end(), taken->warnings.begin(), taken->warnings.end());
+  summary.warnings.insert(summary.warnings.end(), taken.images.warnings.begin(), taken.images.warnings.end());
   if (!ready) {
     summary.warnings.emplace_back(
         "without a calibration it cannot be told whether a hand is there and each laser is the right one");
   }
-  summary.retried = session.retried();
-  DORSUM_ASSIGN_OR_RETURN(summary.files, Write(device.description.camera, *taken, request.out_dir));
+  summary.retried = taken.retried;
+  DORSUM_ASSIGN_OR_RETURN(summary.files,
+                          SaveCapture(device.description.camera, taken.images, request.out_dir));
   return summary;
 }
 

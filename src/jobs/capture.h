@@ -7,7 +7,10 @@
 
 #include "base/context.h"
 #include "base/result.h"
+#include "captures/capture.h"
+#include "captures/device_description.h"
 #include "device/device.h"
+#include "jobs/reconstruct.h"
 
 namespace dorsum {
 
@@ -26,9 +29,24 @@ struct CaptureSummary {
   int retried = 0;                    // pictures that had to be taken again
 };
 
+// A capture that is whole, not written yet.
+struct TakenCapture {
+  CaptureImages images;  // with warnings
+  int retried = 0;
+};
+
 // One capture (§3.3) with a device: bgHand under the LEDs, stripesHandK under each laser alone, bgHandAfter.
-// Checks each picture while it goes (jobs/capture_checks.h), takes again what can be, and writes the folder
-// only when it is whole. The lights are off afterwards, whatever happened.
+// Checks each picture while it goes (jobs/capture_checks.h), against the calibration too where there is one,
+// and takes again what can be. The lights are off afterwards, whatever happened. `request.out_dir` and
+// `request.calibration_path` are not looked at.
+Result<TakenCapture> TakeCapture(Device& device, const CaptureRequest& request,
+                                 const ReadyCalibration* calibration, const Context& context);
+
+// Writes a capture folder, all of it or nothing; the names of its files. It must not exist or be empty.
+Result<std::vector<std::string>> SaveCapture(const CameraDesign& camera, const CaptureImages& capture,
+                                             const std::filesystem::path& out_dir);
+
+// Both: the job behind `dorsum capture`.
 Result<CaptureSummary> CaptureToFolder(Device& device, const CaptureRequest& request, const Context& context);
 
 }  // namespace dorsum

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "base/version.h"
+#include "studio/banner.h"
+
+namespace dorsum {
+
+MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
+    : QMainWindow(parent),
+      workbench_(workbench),
+      list_(new QListWidget(this)),
+      stack_(new QStackedWidget(this)),
+      banner_(new Banner(this)),
+      work_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  setWindowTitle("Dorsum Studio");
+  setAcceptDrops(true);
+  resize(1240, 760);
+  list_->setObjectName("pages");
+  list_->setAccessibleName(tr("Pages"));
+  list_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  auto* right = new QVBoxLayout;
+  right->addWidget(banner_);
+  right->addWidget(stack_, 1);
+  auto* middle = new QWidget(this);
+  auto* row = new QHBoxLayout(middle);
+  row->addWidget(list_);
+  row->addLayout(right, 1);
+  setCentralWidget(middle);
+  AddMenus();
+  AddProgress();
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int now) {
+    if (auto* before = qobject_cast<Page*>(stack_->currentWidget())) before->Leave();
+    stack_->setCurrentIndex(now);
+    if (auto* after = qobject_cast<Page*>(stack_->currentWidget())) after->Enter();
+  });
+  connect(workbench_, &Workbench::Failed, this, [this](const Error& error) {
+    if (error.code != ErrorCode::kCancelled) banner_->Show(error);
+  });
+  connect(&workbench_->device(), &DeviceSession::Failed, this,
+          [this](const Error& error) { banner_->Show(error); });
+  AddPages();
+  list_->setFixedWidth(list_->sizeHintForColumn(0) + 2 * list_->frameWidth() + 24);
+  Restore();
+}
+
+// The order in which a person needs them.
+void MainWindow::AddPages() {}
+
+void MainWindow::AddPage(const QString& title, const QString& help, Page* page) {
+  auto* item = new QListWidgetItem(title, list_);
+  item->setToolTip(help);
+  page->setAccessibleName(title);
+  page->setAccessibleDescription(help);
+  stack_->addWidget(page);
+}
+
+int MainWindow::pages() const { return stack_->count(); }
+Page* MainWindow::page(int index) const { return qobject_cast<Page*>(stack_->widget(index)); }
+void MainWindow::ShowPage(int index) { list_->setCurrentRow(index); }
+
+void MainWindow::AddMenus() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(tr("&Open file…"), QKeySequence::Open, this, [this] { OpenWithDialog(false); });
+  file->addAction(tr("Open &capture folder…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), this,
+                  [this] { OpenWithDialog(true); });
+  file->addSeparator();
+  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(tr("&About Dorsum Studio"), this, [this] {
+    QMessageBox::about(this, tr("About Dorsum Studio"),
+                       tr("Dorsum Studio %1: scans the back of a hand. Apache License 2.0.")
+                           .arg(QString::fromLatin1(kVersion)));
+  });
+}
+
+void MainWindow::AddProgress() {
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setMaximumWidth(220);
+  progress_->setAccessibleName(tr("Progress"));
+  cancel_->setObjectName("cancel");
+  statusBar()->addPermanentWidget(work_);
+  statusBar()->addPermanentWidget(progress_);
+  statusBar()->addPermanentWidget(cancel_);
+  const auto show = [this](bool shown) {
+    for (QWidget* widget :
+         {static_cast<QWidget*>(work_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
+      widget->setVisible(shown);
+    }
+  };
+  const auto started = [this, show](const QString& title) {
+    work_->setText(title);
+    progress_->setValue(0);
+    show(true);
+  };
+  const auto progressed = [this](const QString&, double fraction) {
+    progress_->setValue(static_cast<int>(1000.0 * fraction));
+  };
+  const auto finished = [this, show] { show(workbench_->jobs().busy() || workbench_->device().busy()); };
+  show(false);
+  connect(&workbench_->jobs(), &JobRunner::Started, this, started);
+  connect(&workbench_->jobs(), &JobRunner::Progressed, this, progressed);
+  connect(&workbench_->jobs(), &JobRunner::Finished, this, finished);
+  connect(&workbench_->device(), &DeviceSession::TaskStarted, this, started);
+  connect(&workbench_->device(), &DeviceSession::Progressed, this, progressed);
+  connect(&workbench_->device(), &DeviceSession::TaskFinished, this, finished);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    workbench_->jobs().Cancel();
+    workbench_->device().Cancel();
+  });
+}
+
+void MainWindow::OpenWithDialog(bool folder) {
+  const QString path = folder ? QFileDialog::getExistingDirectory(this, tr("Open a capture folder"))
+                              : QFileDialog::getOpenFileName(this, tr("Open a calibration or a surface"), {},
+                                                             tr("Calibrations and surfaces (*.json *.ply)"));
+  if (!path.isEmpty()) workbench_->OpenPath(path.toStdString());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) return workbench_->OpenPath(url.toLocalFile().toStdString());
+  }
+  workbench_->Fail(
+      BadInput("what was dropped is no file of this machine; drop a capture folder or a PLY file"));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  Remember();
+  if (auto* page = qobject_cast<Page*>(stack_->currentWidget())) page->Leave();
+  event->accept();
+}
+
+void MainWindow::Remember() {
+  QSettings settings;
+  settings.setValue("window/geometry", saveGeometry());
+  settings.setValue("window/page", list_->currentRow());
+}
+
+void MainWindow::Restore() {
+  const QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  const int row = settings.value("window/page", 0).toInt();
+  if (list_->count() > 0) list_->setCurrentRow(row >= 0 && row < list_->count() ? row : 0);
+}
+
+}  // namespace dorsum
