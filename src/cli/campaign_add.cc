@@ -6,6 +6,7 @@
 #include "cli/campaign_commands.h"
 #include "cli/commands.h"
 #include "device/device.h"
+#include "device/virtual_bench.h"
 #include "jobs/campaign_names.h"
 #include "jobs/capture.h"
 
@@ -36,6 +37,10 @@ CaptureMaker CaptureWith(const Arguments& a, std::vector<std::string>* warnings)
       request.calibration_path = present.value_or("");
     }
     DORSUM_ASSIGN_OR_RETURN(Device device, OpenDevice(a.device, context));
+    if (device.bench) {  // a virtual device is visited by a hand that goes by the person's id
+      DORSUM_RETURN_IF_ERROR(device.bench->PlaceNamed("hand:woman:" + a.hand + ":" + a.person.id + ":k" +
+                                                      std::to_string(a.session)));
+    }
     DORSUM_ASSIGN_OR_RETURN(const CaptureSummary summary, CaptureToFolder(device, request, context));
     *warnings = summary.warnings;
     return {};

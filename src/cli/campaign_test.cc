@@ -144,6 +144,22 @@ TEST_F(CampaignProgramTest, TwoProcessesAddAtOnce) {
   EXPECT_EQ(Run({"verify", Study()}).code, 0);
 }
 
+TEST_F(CampaignProgramTest, ADeviceCapturesForTheCampaign) {
+  Begin();
+  std::string device = ScanFixture::kDevice;
+  device.insert(device.find("[camera]\n") + 9,
+                std::string("source = \"virtual:") + ScanFixture::kSeed + "\"\n");
+  ASSERT_TRUE(WriteFile(*this / "device.toml", device).ok());
+  const ProgramRun added = Run({"add", Study(), "--id", "p01", "--hand", "left", "--device",
+                                *this / "device.toml", "-c", ScanFixture::CalibrationJson()});
+  ASSERT_EQ(added.code, 0) << added.err;
+  EXPECT_EQ(Captures(), 1);
+  EXPECT_EQ(Run({"verify", Study()}).code, 0);
+  ExpectRefused(Run({"add", Study(), "--id", "p01", "--hand", "left", "--device", *this / "none.toml"}), 3,
+                {"none.toml"});
+  EXPECT_EQ(Captures(), 1);
+}
+
 TEST_F(CampaignProgramTest, AVirtualCampaignIsInterruptedAndGoesOn) {
   const std::vector<std::string> words = {"new",       Study(),
                                           "--virtual", ScanFixture::kSeed,

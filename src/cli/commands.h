@@ -14,6 +14,7 @@ void AddBoard(CLI::App* app, Session* session);
 void AddCalibrate(CLI::App* app, Session* session);
 void AddCapture(CLI::App* app, Session* session);
 void AddDoctor(CLI::App* app, Session* session);
+void AddStudio(CLI::App* app, Session* session);
 void AddReconstruct(CLI::App* app, Session* session);
 void AddStripes(CLI::App* app, Session* session);
 void AddEvaluate(CLI::App* app, Session* session);

@@ -46,6 +46,7 @@ int RunProgram(int argc, char** argv) {
   dorsum::AddEvaluate(&app, &session);
   dorsum::AddDesign(&app, &session);
   dorsum::AddCampaign(&app, &session);
+  dorsum::AddStudio(&app, &session);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
