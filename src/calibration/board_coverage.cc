@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dorsum {
 
 void BoardCoverage::Add(const std::vector<cv::Point2f>& corners) {
   for (const cv::Point2f& p : corners) {
-    const int column = static_cast<int>(p.x * kColumns / static_cast<float>(picture_.width));
-    const int row = static_cast<int>(p.y * kRows / static_cast<float>(picture_.height));
-    if (column < 0 || row < 0 || column >= kColumns || row >= kRows) continue;
-    cells_[static_cast<std::size_t>(row * kColumns + column)] = true;
+    const float column = std::floor(p.x * kColumns / static_cast<float>(picture_.width));
+    const float row = std::floor(p.y * kRows / static_cast<float>(picture_.height));
+    if (!(column >= 0.0F && row >= 0.0F && column < kColumns && row < kRows)) continue;
+    cells_[static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column)] = true;
   }
 }
 

@@ -107,7 +107,7 @@ TEST_F(SimulateProgramTest, ABrokenDeviceFileIsNamedWithItsKey) {
       {"[camera]\nfocal_length_px = \"long\"" + lights, "focal_length_px"},
       {"[camera]\nresolution_px = [99999, 99999]" + lights, "resolution_px"},
       {"[camera]\nresolution_px = [640]" + lights, "resolution_px"},
-      {"[camera]\nfocus = 3" + lights, "focus"},
+      {"[camera]\nzoom = 3" + lights, "zoom"},
       {"[grating]\norders = 500" + lights, "orders"},
       {"[[led]]", "laser"},
       {"[[laser]]", "led"},

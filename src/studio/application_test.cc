@@ -31,14 +31,14 @@ pid_t StartDisplay() {
     _exit(127);
   }
   close(ends[1]);
-  char name[16] = "";
-  const ssize_t count = read(ends[0], name, sizeof name - 1);
+  std::string name;  // a number and, perhaps later, the end of its line
+  for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) name += c;
   close(ends[0]);
-  if (count <= 0) {
+  if (name.empty()) {
     waitpid(child, nullptr, 0);
     return 0;
   }
-  setenv("DISPLAY", (":" + std::string(name, static_cast<std::size_t>(count - 1))).c_str(), 1);
+  setenv("DISPLAY", (":" + name).c_str(), 1);
   return child;
 }
 
