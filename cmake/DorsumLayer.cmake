@@ -5,6 +5,7 @@
 #   [LINK_PRIVATE target...]   other people's libraries that only its sources use
 #   [TEST_DEPENDS layer...]    further layers, earlier or later, that only its tests include
 #   [TEST_LINK target...]      other people's libraries that only its tests use
+#   [TEST_ALONE filter]        tests (GoogleTest's filter) that run one at a time: each keeps a processor busy
 #   [PCH header...]            precompiled headers of the library, such as <Eigen/Core>
 #   [APPLICATION])             part of a program: not installed as a library
 #
@@ -38,7 +39,7 @@ function(_dorsum_check_dependency name dependency)
 endfunction()
 
 function(_dorsum_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ALONE" "SOURCES;DEPENDS;LINK")
   list(TRANSFORM arg_DEPENDS PREPEND "Dorsum::")
   add_executable(dorsum_${name}_test ${arg_SOURCES})
   target_link_libraries(dorsum_${name}_test PRIVATE
@@ -48,12 +49,19 @@ function(_dorsum_add_test name)
     set(timeout 1800)  # up to twenty times as slow
   endif()
   # Run from the source folder, so that a test may name a file of the repository by its relative path.
-  gtest_discover_tests(dorsum_${name}_test
+  set(common
     TEST_PREFIX "${name}."
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
     DISCOVERY_MODE PRE_TEST
-    DISCOVERY_TIMEOUT 120
-    PROPERTIES TIMEOUT ${timeout} LABELS ${name})
+    DISCOVERY_TIMEOUT 120)
+  if(arg_ALONE)
+    gtest_discover_tests(dorsum_${name}_test ${common} TEST_FILTER "${arg_ALONE}"
+      PROPERTIES TIMEOUT ${timeout} LABELS ${name} RESOURCE_LOCK simulated_controller)
+    gtest_discover_tests(dorsum_${name}_test ${common} TEST_FILTER "-${arg_ALONE}"
+      PROPERTIES TIMEOUT ${timeout} LABELS ${name})
+  else()
+    gtest_discover_tests(dorsum_${name}_test ${common} PROPERTIES TIMEOUT ${timeout} LABELS ${name})
+  endif()
 endfunction()
 
 function(_dorsum_install_layer name headers)
@@ -65,7 +73,7 @@ endfunction()
 
 function(dorsum_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg
-    "APPLICATION" "" "DEPENDS;LINK;LINK_PRIVATE;TEST_DEPENDS;TEST_LINK;PCH")
+    "APPLICATION" "TEST_ALONE" "DEPENDS;LINK;LINK_PRIVATE;TEST_DEPENDS;TEST_LINK;PCH")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "dorsum_layer(${name}): what is '${arg_UNPARSED_ARGUMENTS}'?")
   endif()
@@ -116,7 +124,8 @@ function(dorsum_layer name)
     _dorsum_install_layer(${name} "${headers}")
   endif()
   if(DORSUM_TESTS AND tests)
-    _dorsum_add_test(${name} SOURCES ${tests} DEPENDS ${arg_TEST_DEPENDS} LINK ${arg_TEST_LINK})
+    _dorsum_add_test(${name} ALONE "${arg_TEST_ALONE}"
+      SOURCES ${tests} DEPENDS ${arg_TEST_DEPENDS} LINK ${arg_TEST_LINK})
   endif()
 endfunction()
 
