@@ -21,6 +21,7 @@
 
 #include "base/version.h"
 #include "studio/banner.h"
+#include "studio/surface_page.h"
 
 namespace dorsum {
 
@@ -65,7 +66,9 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
 }
 
 // The order in which a person needs them.
-void MainWindow::AddPages() {}
+void MainWindow::AddPages() {
+  AddPage(tr("Surface"), tr("Look at a surface and measure it"), new SurfacePage(workbench_, stack_));
+}
 
 void MainWindow::AddPage(const QString& title, const QString& help, Page* page) {
   auto* item = new QListWidgetItem(title, list_);

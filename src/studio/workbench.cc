@@ -12,27 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a PLY file holds: a mesh, or the points of one.
-Result<std::shared_ptr<const Scan>> ReadPly(const fs::path& path) {
-  auto scan = std::make_shared<Scan>();
-  scan->name = path.filename().string();
-  Result<TriangleMesh> mesh = ReadMeshPly(path);
-  if (mesh.ok() && !mesh->faces.empty()) {
-    scan->surface.mesh = std::move(mesh).value();
-    return std::shared_ptr<const Scan>(std::move(scan));
-  }
-  Result<SurfacePoints> points = ReadPointsPly(path);
-  if (!points.ok()) return mesh.ok() ? points.error() : mesh.error();
-  scan->surface.points = std::move(points).value();
-  return std::shared_ptr<const Scan>(std::move(scan));
-}
-
 Result<std::shared_ptr<const Scan>> ReadScan(const fs::path& path,
                                              const std::shared_ptr<const ReadyCalibration>& calibration,
                                              const Context& context) {
   std::error_code ec;
   if (!fs::is_directory(path, ec)) {
-    if (path.extension() == ".ply") return ReadPly(path);
+    if (path.extension() == ".ply") return ReadSurface(path);
     return BadInput(path.string() + " is neither a capture folder nor a PLY file; drop one of those");
   }
   if (!calibration) {
@@ -46,6 +31,20 @@ Result<std::shared_ptr<const Scan>> ReadScan(const fs::path& path,
 }
 
 }  // namespace
+
+Result<std::shared_ptr<const Scan>> ReadSurface(const fs::path& path) {
+  auto scan = std::make_shared<Scan>();
+  scan->name = path.filename().string();
+  Result<TriangleMesh> mesh = ReadMeshPly(path);
+  if (mesh.ok() && !mesh->faces.empty()) {
+    scan->surface.mesh = std::move(mesh).value();
+    return std::shared_ptr<const Scan>(std::move(scan));
+  }
+  Result<SurfacePoints> points = ReadPointsPly(path);
+  if (!points.ok()) return mesh.ok() ? points.error() : mesh.error();
+  scan->surface.points = std::move(points).value();
+  return std::shared_ptr<const Scan>(std::move(scan));
+}
 
 Result<std::shared_ptr<const Scan>> MakeScan(std::string name, fs::path folder, CaptureImages capture,
                                              std::shared_ptr<const ReadyCalibration> calibration,

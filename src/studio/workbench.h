@@ -61,6 +61,9 @@ class Workbench : public QObject {
   DeviceSession device_;
 };
 
+// What a PLY file holds: a mesh, or the points of one.
+Result<std::shared_ptr<const Scan>> ReadSurface(const std::filesystem::path& path);
+
 // Reconstructs images that are in memory. `folder` may be empty.
 Result<std::shared_ptr<const Scan>> MakeScan(std::string name, std::filesystem::path folder,
                                              CaptureImages capture,
