@@ -71,9 +71,9 @@ void ImageView::SetStripes(const SurfacePoints& points, std::optional<int> laser
     stripes_.emplace_back(QColor(c[2], c[1], c[0]), run);
   }
   if (image_.isNull()) {
-    size_ = {right, bottom};
+    size_ = QSizeF(right, bottom) * 1.04;  // the image was a little larger than what was found in it
     zoom_ = 1.0;
-    middle_ = {0.5 * right, 0.5 * bottom};
+    middle_ = {0.5 * size_.width(), 0.5 * size_.height()};
   }
   Redraw();
 }

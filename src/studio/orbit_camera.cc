@@ -24,7 +24,7 @@ void OrbitCamera::Home() {
   target_ = home_;
   yaw_deg_ = 0.0;
   pitch_deg_ = kHomePitch_deg;
-  distance_ = 0.9 * radius_ / kTanHalf;
+  distance_ = 1.05 * radius_ / kTanHalf;  // a view as high as wide holds it too
 }
 
 void OrbitCamera::Turn(double yaw_deg, double pitch_deg) {

@@ -13,7 +13,9 @@ namespace dorsum {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr double kCarry_mm = 3.0, kMean_mm = 1.0;
+constexpr double kCarry_mm =
+    6.0;  // half of the widest gap between stripes that a mesh bridges (HeightFieldOptions)
+constexpr double kMean_mm = 1.0;
 const Colour kPlain(196, 200, 204);
 
 float Difference(const Eigen::Vector3d& p, const OtherHeight& other) {

@@ -31,7 +31,7 @@ OtherHeight MakeOtherHeight(const Reconstruction& surface);
 // One value for each surface point: mm, or the number of an order or a laser; NaN where there is none.
 std::vector<float> PointValues(const SurfacePoints& points, ColourBy by, const OtherHeight& other);
 // The same for the mesh's vertices, which take order, laser and uncertainty from the nearest surface point
-// that is no more than 3 mm away.
+// that is no more than 6 mm away.
 std::vector<float> VertexValues(const Reconstruction& surface, ColourBy by, const OtherHeight& other);
 
 // A scale that holds the values. Ends of uncertainty and difference are those of 98 % of the values, so that

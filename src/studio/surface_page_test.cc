@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/surface_page.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
@@ -84,12 +85,17 @@ class SurfacePageTest : public ::testing::Test {
     Wait();
   }
   QString Readout() { return Find<QLabel>("readout")->text(); }
-  // For eyes: with DORSUM_SCREENSHOTS=FOLDER the window is written there.
+  // For eyes: with DORSUM_SCREENSHOTS=FOLDER the window is written there, light and dark.
   void Screenshot(const char* name) {
     const QString folder = qEnvironmentVariable("DORSUM_SCREENSHOTS");
     if (folder.isEmpty()) return;
-    QTest::qWait(300);
-    EXPECT_TRUE(window_.grab().save(folder + "/" + name + ".png"));
+    const QPalette light = QApplication::palette();
+    for (const bool dark : {false, true}) {
+      if (dark) QApplication::setPalette(QPalette(QColor(56, 58, 62), QColor(40, 42, 46)));
+      QTest::qWait(300);
+      EXPECT_TRUE(window_.grab().save(folder + "/" + name + (dark ? "_dark.png" : ".png")));
+    }
+    QApplication::setPalette(light);
   }
 
   Workbench workbench_;
@@ -284,12 +290,20 @@ TEST_F(SurfacePageTest, ACaptureOpensWithItsSurfaceItsImagesAndItsStripes) {
   Wait();
   ASSERT_TRUE(workbench_.scan());
   EXPECT_EQ(Find<QComboBox>("images")->count(), 4);
-  auto* view = Find<SurfaceView>("surfaceView");
-  QTest::keyClick(view, Qt::Key_Return);
+  // A stripe point, clicked in the image, lies on the surface where the camera sees it.
+  const SurfacePoints& points = workbench_.scan()->surface.points;
+  const SurfacePoint& p = points[points.size() / 2];
+  auto* image = Find<ImageView>("imageView");
+  QTest::mouseClick(image, Qt::LeftButton, {}, image->ToWidget({p.u, p.v}).toPoint());
   ASSERT_EQ(page_->places().size(), 1U);
-  ASSERT_TRUE(page_->places()[0].image && page_->places()[0].point);
-  const SurfacePoint& p = workbench_.scan()->surface.points[*page_->places()[0].point];
-  EXPECT_LT((*page_->places()[0].image - Eigen::Vector2d(p.u, p.v)).norm(), 15.0);
+  const Picked& picked = page_->places()[0];
+  ASSERT_TRUE(picked.point && picked.image);
+  const Camera& camera = workbench_.scan()->calibration->calibration.device.camera;
+  EXPECT_LT((Project(camera, points[*picked.point].position) - *picked.image).norm(), 1.0);
+  const Ray ray = CastRay(camera, *picked.image);
+  const std::optional<Picked> back = Pick(*workbench_.scan(), ray, Shown::kBoth, 1e-3);
+  ASSERT_TRUE(back && back->image);
+  EXPECT_LT((*back->image - *picked.image).norm(), 2.0);
   Screenshot("surface_hand");
   Choose("show", static_cast<int>(Shown::kPoints));
   Choose("colours", static_cast<int>(ColourBy::kOrder));
