@@ -195,20 +195,30 @@ bool BoardIsBent(const BoardCheck& check, const BundleVerdictOptions& options) {
   return check.sag_mm > options.board_sag_mm && check.significance > options.significant;
 }
 
-std::vector<double> ViewErrors(const BundleData& data, const BundleState& state) {
+std::vector<std::vector<Eigen::Vector2d>> ExpectedCorners(const BundleData& data, const BundleState& state) {
   const Camera camera = state.GetCamera();
   Eigen::Vector2d half(1e-9, 1e-9);
   for (const auto& p : data.board_points) half = half.cwiseMax(p.head<2>().cwiseAbs());
-  std::vector<double> errors;
+  std::vector<std::vector<Eigen::Vector2d>> views(data.boards.size());
   for (std::size_t i = 0; i < data.boards.size(); ++i) {
     const Rigid3 world_from_board = RigidFromPose(state.world_from_board[i]);
-    double square = 0.0;
-    for (std::size_t k = 0; k < data.board_points.size(); ++k) {
-      Eigen::Vector3d p = data.board_points[k];
+    for (Eigen::Vector3d p : data.board_points) {
       const Eigen::Vector2d share = p.head<2>().cwiseQuotient(half);
       p.z() += state.board_bow[0] * share.x() * share.x() + state.board_bow[1] * share.x() * share.y() +
                state.board_bow[2] * share.y() * share.y();
-      square += (Project(camera, world_from_board * p) - data.boards[i].corners[k]).squaredNorm();
+      views[i].push_back(Project(camera, world_from_board * p));
+    }
+  }
+  return views;
+}
+
+std::vector<double> ViewErrors(const BundleData& data, const BundleState& state) {
+  const auto views = ExpectedCorners(data, state);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    double square = 0.0;
+    for (std::size_t k = 0; k < views[i].size(); ++k) {
+      square += (views[i][k] - data.boards[i].corners[k]).squaredNorm();
     }
     errors.push_back(std::sqrt(square / static_cast<double>(data.board_points.size())));
   }

@@ -15,6 +15,9 @@ std::vector<PartReport> JudgeBundle(const BundleCalibration& calibration,
 bool HeightIsWrong(const HeightCheck& check, const BundleVerdictOptions& options);
 bool BoardIsBent(const BoardCheck& check, const BundleVerdictOptions& options);
 
+// Where the solution sees the corners of each board view, px, in the order of BoardView::corners.
+std::vector<std::vector<Eigen::Vector2d>> ExpectedCorners(const BundleData& data, const BundleState& state);
+
 // Root mean square distance of each board view's corners from where the solution sees them, px.
 std::vector<double> ViewErrors(const BundleData& data, const BundleState& state);
 

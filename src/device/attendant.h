@@ -4,6 +4,9 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
 
 #include "base/context.h"
 #include "base/result.h"
@@ -26,6 +29,10 @@ class Attendant {
                          const std::function<Status()>& keep_lit, const Context& context) = 0;
   // Says what was seen: a sentence.
   virtual void Tell(const std::string& words) = 0;
+  // A chessboard that counts towards what the boards of the series cover: its corners in the picture, px.
+  virtual void SawBoard(const std::vector<cv::Point2f>& /*corners*/) {}
+  // The step's pictures are in the folder, from now or from an earlier run.
+  virtual void StepDone(const SeriesStep& /*step*/) {}
 };
 
 std::unique_ptr<Attendant> MakeVirtualAttendant(std::shared_ptr<VirtualBench> bench);

@@ -120,17 +120,8 @@ void LookAtController(Device& device, Findings* findings) {
   findings->push_back({Health::kFine, "light controller", sentence, ""});
 }
 
-Status LookAtDevice(const DoctorRequest& request, const ReadyCalibration* calibration, const Context& context,
+Status LookAtDevice(Device& device, const ReadyCalibration* calibration, const Context& context,
                     Findings* findings) {
-  context.Report("device", 0.2);
-  Result<Device> opened = OpenDevice(request.device, context);
-  if (!opened.ok()) {
-    const ErrorCode code = opened.error().code;
-    if (code == ErrorCode::kCancelled || code == ErrorCode::kUsage) return opened.error();
-    findings->push_back({Health::kBroken, "device", opened.error().message, ""});
-    return {};
-  }
-  Device device = std::move(opened).value();
   LookAtController(device, findings);
   const cv::Size size = device.frames->size();
   findings->push_back({Health::kFine, "camera",
@@ -144,6 +135,35 @@ Status LookAtDevice(const DoctorRequest& request, const ReadyCalibration* calibr
   return LookAtPictures(device, calibration, context, findings);
 }
 
+Status OpenAndLook(const DoctorRequest& request, const ReadyCalibration* calibration, const Context& context,
+                   Findings* findings) {
+  context.Report("device", 0.2);
+  Result<Device> opened = OpenDevice(request.device, context);
+  if (opened.ok()) return LookAtDevice(*opened, calibration, context, findings);
+  const ErrorCode code = opened.error().code;
+  if (code == ErrorCode::kCancelled || code == ErrorCode::kUsage) return opened.error();
+  findings->push_back({Health::kBroken, "device", opened.error().message, ""});
+  return {};
+}
+
+// `open`: the device, or none: the one that the request names is opened, if it names one.
+Result<DoctorReport> Examine(Device* open, const DoctorRequest& request, const Context& context) {
+  DoctorReport report;
+  LookAtCameras(&report.findings);
+  LookAtPorts(&report.findings);
+  LookAtDisk(request, &report.findings);
+  std::optional<ReadyCalibration> calibration;
+  if (!request.calibration_path.empty()) calibration = LookAtCalibration(request, &report.findings);
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  const ReadyCalibration* ready = calibration ? &*calibration : nullptr;
+  if (open != nullptr) {
+    DORSUM_RETURN_IF_ERROR(LookAtDevice(*open, ready, context, &report.findings));
+  } else if (!request.device.empty()) {
+    DORSUM_RETURN_IF_ERROR(OpenAndLook(request, ready, context, &report.findings));
+  }
+  return report;
+}
+
 }  // namespace
 
 bool DoctorReport::healthy() const {
@@ -152,18 +172,11 @@ bool DoctorReport::healthy() const {
 }
 
 Result<DoctorReport> ExamineDevice(const DoctorRequest& request, const Context& context) {
-  DoctorReport report;
-  LookAtCameras(&report.findings);
-  LookAtPorts(&report.findings);
-  LookAtDisk(request, &report.findings);
-  std::optional<ReadyCalibration> calibration;
-  if (!request.calibration_path.empty()) calibration = LookAtCalibration(request, &report.findings);
-  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
-  if (!request.device.empty()) {
-    DORSUM_RETURN_IF_ERROR(
-        LookAtDevice(request, calibration ? &*calibration : nullptr, context, &report.findings));
-  }
-  return report;
+  return Examine(nullptr, request, context);
+}
+
+Result<DoctorReport> ExamineOpenDevice(Device& device, const DoctorRequest& request, const Context& context) {
+  return Examine(&device, request, context);
 }
 
 namespace {

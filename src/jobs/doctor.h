@@ -8,6 +8,7 @@
 #include "base/context.h"
 #include "base/json.h"
 #include "base/result.h"
+#include "device/device.h"
 
 namespace dorsum {
 
@@ -38,6 +39,9 @@ struct DoctorReport {
 // with the calibration; at the calibration's age and device, and at the disk. Whatever is wrong is a finding
 // and no error; only an interrupt and wrong arguments are errors. Lights are off afterwards.
 Result<DoctorReport> ExamineDevice(const DoctorRequest& request, const Context& context);
+
+// The same of a device that is open already; request.device is not looked at.
+Result<DoctorReport> ExamineOpenDevice(Device& device, const DoctorRequest& request, const Context& context);
 
 Json DoctorReportToJson(const DoctorReport& report);
 std::string DoctorReportToText(const DoctorReport& report);

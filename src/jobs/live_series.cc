@@ -56,9 +56,10 @@ class LiveSeries {
                       static_cast<double>(i) / static_cast<double>(plan.size()));
       if (Keep(plan[i])) {
         ++summary_.kept;
-        continue;
+      } else {
+        DORSUM_RETURN_IF_ERROR(DoStep(plan[i]));
       }
-      DORSUM_RETURN_IF_ERROR(DoStep(plan[i]));
+      attendant_.StepDone(plan[i]);
     }
     summary_.board_coverage = coverage_.Share();
     return summary_;
@@ -104,35 +105,14 @@ class LiveSeries {
     if (step.thing != Thing::kBoard) return;
     coverage_.Add(corners);
     last_view_ = corners;
-  }
-
-  // The stripes by which a hand lays things down; nothing where there is nothing to aim at.
-  ChannelSet Guide(const SeriesStep& step) const {
-    const DeviceDescription& description = device_.description;
-    const int world_laser = description.lasers.size() > 1 ? 1 : 0;
-    switch (step.thing) {
-      case Thing::kBoard:
-        return step.number == 0 ? LaserChannel(description, world_laser) : ChannelSet();
-      case Thing::kBoardOnBackplane:
-      case Thing::kBoardOnObject:
-        return LaserChannel(description, step.number);
-      case Thing::kLines: {
-        ChannelSet all;
-        for (std::size_t k = 0; k < description.lasers.size(); ++k) {
-          all |= LaserChannel(description, static_cast<int>(k));
-        }
-        return all;
-      }
-      default:
-        return {};
-    }
+    attendant_.SawBoard(corners);
   }
 
   Status DoStep(const SeriesStep& step) {
     std::string words = InstructionOf(step, device_.description);
     for (int attempt = 1;; ++attempt) {
       DORSUM_RETURN_IF_ERROR(context_.CheckCancelled());
-      const ChannelSet guide = Guide(step);
+      const ChannelSet guide = GuideOf(step, device_.description);
       const auto keep_lit = [&] { return device_.lights->Set(guide); };
       DORSUM_RETURN_IF_ERROR(keep_lit());
       DORSUM_RETURN_IF_ERROR(attendant_.Arrange(step, words, keep_lit, context_));
@@ -224,6 +204,26 @@ class LiveSeries {
 };
 
 }  // namespace
+
+ChannelSet GuideOf(const SeriesStep& step, const DeviceDescription& description) {
+  const int world_laser = description.lasers.size() > 1 ? 1 : 0;
+  switch (step.thing) {
+    case Thing::kBoard:
+      return step.number == 0 ? LaserChannel(description, world_laser) : ChannelSet();
+    case Thing::kBoardOnBackplane:
+    case Thing::kBoardOnObject:
+      return LaserChannel(description, step.number);
+    case Thing::kLines: {
+      ChannelSet all;
+      for (std::size_t k = 0; k < description.lasers.size(); ++k) {
+        all |= LaserChannel(description, static_cast<int>(k));
+      }
+      return all;
+    }
+    default:
+      return {};
+  }
+}
 
 Result<LiveSeriesSummary> TakeCalibrationSeries(Device& device, Attendant& attendant,
                                                 const LiveSeriesRequest& request, const Context& context) {

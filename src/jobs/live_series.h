@@ -32,4 +32,7 @@ struct LiveSeriesSummary {
 Result<LiveSeriesSummary> TakeCalibrationSeries(Device& device, Attendant& attendant,
                                                 const LiveSeriesRequest& request, const Context& context);
 
+// The stripes by which a hand lays down what the step asks for; none where there is nothing to aim at.
+ChannelSet GuideOf(const SeriesStep& step, const DeviceDescription& description);
+
 }  // namespace dorsum

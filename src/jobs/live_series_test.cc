@@ -35,9 +35,13 @@ class HookedAttendant : public Attendant {
     return inner_->Arrange(step, words, keep_lit, context);
   }
   void Tell(const std::string& words) override { told.push_back(words); }
+  void SawBoard(const std::vector<cv::Point2f>& corners) override { boards.push_back(corners.size()); }
+  void StepDone(const SeriesStep& step) override { done.push_back(step.pictures.front().name); }
 
   std::vector<std::string> said, told;
   std::vector<ChannelSet> guided;
+  std::vector<std::size_t> boards;
+  std::vector<std::string> done;
   std::function<Status(int call)> before;
   std::function<bool(const SeriesStep& step, int call)> skip;  // the person leaves all as it lies
 
@@ -70,6 +74,8 @@ TEST_F(LiveSeriesTest, AWholeSeriesCalibratesAndEveryLaserGuidesItsBoard) {
   EXPECT_TRUE(attendant_.guided[0].test(1));
   EXPECT_TRUE(attendant_.guided[5].none());
   EXPECT_TRUE(device_.bench->On().none());
+  EXPECT_EQ(attendant_.boards, std::vector<std::size_t>(12, 88));
+  EXPECT_EQ(attendant_.done.size(), 24U);
   const auto series = LoadCalibrationSeries(request_.dir);
   ASSERT_TRUE(series.ok()) << series.error().message;
   EXPECT_TRUE(series->warnings.empty());
@@ -83,6 +89,8 @@ TEST_F(LiveSeriesTest, AWholeSeriesCalibratesAndEveryLaserGuidesItsBoard) {
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(again->kept, again->steps);
   EXPECT_TRUE(attendant_.said.empty());
+  EXPECT_EQ(attendant_.boards.size(), 24U);
+  EXPECT_EQ(attendant_.done.size(), 48U);
   EXPECT_EQ(again->board_coverage, summary->board_coverage);
 }
 

@@ -9,6 +9,7 @@ namespace dorsum {
 namespace {
 
 constexpr double kRenew_s = 2.0;       // a light in the preview is switched on again, for controllers' limits
+constexpr double kAsk_s = 0.5;         // between two questions to the controller what is lit
 constexpr double kFrameLimit_s = 2.0;  // for one frame of the preview
 
 }  // namespace
@@ -114,8 +115,12 @@ void DeviceSession::Work() {
       Preview();
       lock.lock();
     } else {
-      if (lit_ && device_) static_cast<void>(device_->lights->Set({}));
-      lit_.reset();
+      if (lit_ && device_) {  // not under the lock: a controller may take its time, the window must not wait
+        lock.unlock();
+        PutOut();
+        lock.lock();
+        continue;
+      }
       changed_.wait(lock);
     }
   }
@@ -123,8 +128,7 @@ void DeviceSession::Work() {
 }
 
 void DeviceSession::DoTask(const QString& title, const Task& task) {
-  if (lit_ && device_) static_cast<void>(device_->lights->Set({}));
-  lit_.reset();
+  PutOut();
   cancel_ = false;
   Tell([this, title] { emit TaskStarted(title); });
   Context context;
@@ -142,6 +146,22 @@ void DeviceSession::DoTask(const QString& title, const Task& task) {
   });
 }
 
+void DeviceSession::PutOut() {
+  if (lit_ && device_) static_cast<void>(device_->lights->Set({}));
+  lit_.reset();
+  if (std::exchange(told_lit_, 0) != 0) Tell([this] { emit LitChanged(0); });
+}
+
+// A controller that does not answer is found by the next picture or the next renewal.
+void DeviceSession::LookAtLights() {
+  if (MonotonicSeconds() - asked_at_s_ < kAsk_s) return;
+  asked_at_s_ = MonotonicSeconds();
+  const Result<ChannelSet> on = device_->lights->On();
+  if (!on.ok() || on->to_ullong() == told_lit_) return;
+  told_lit_ = on->to_ullong();
+  Tell([this, lit = told_lit_] { emit LitChanged(lit); });
+}
+
 void DeviceSession::Preview() {
   Wish wish;
   {
@@ -150,11 +170,15 @@ void DeviceSession::Preview() {
     wish = *preview_;
   }
   Status status;
-  if (lit_ != wish.lights || MonotonicSeconds() - lit_at_s_ > kRenew_s) {
+  // A window that takes no frames stands still: then nobody renews, and the controller's limit puts lasers
+  // out.
+  const bool renew = MonotonicSeconds() - lit_at_s_ > kRenew_s && !frame_on_its_way_;
+  if (lit_ != wish.lights || renew) {
     status = device_->frames->ExposeFor(wish.light);
     if (status.ok()) status = device_->lights->Set(wish.lights);
     lit_ = wish.lights;
     lit_at_s_ = MonotonicSeconds();
+    asked_at_s_ = 0.0;
   }
   if (status.ok()) {
     const Result<Frame> frame = device_->frames->Next(kFrameLimit_s);
@@ -167,7 +191,7 @@ void DeviceSession::Preview() {
       });
     }
   }
-  if (status.ok()) return;
+  if (status.ok()) return LookAtLights();
   StopPreview();
   Tell([this, error = status.error()] { emit Failed(error); });
 }

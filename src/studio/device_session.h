@@ -67,6 +67,8 @@ class DeviceSession : public QObject {
   void Closed();
   void Failed(const dorsum::Error& error);  // opening, or the preview
   void FrameReady(const cv::Mat& picture);  // of the preview, CV_8UC3
+  void LitChanged(
+      quint64 channels);  // what is lit at the preview, as the controller says; bit n is channel n
   void TaskStarted(const QString& title);
   void Progressed(const QString& stage, double fraction);
   void TaskFinished();  // after `done`
@@ -81,6 +83,8 @@ class DeviceSession : public QObject {
   void Work();
   void DoTask(const QString& title, const Task& task);
   void Preview();
+  void LookAtLights();
+  void PutOut();
   void OpenNow(const std::string& which);
 
   struct Wish {
@@ -99,7 +103,8 @@ class DeviceSession : public QObject {
 
   std::optional<Device> device_;   // of the thread
   std::optional<ChannelSet> lit_;  // by the preview
-  double lit_at_s_ = 0.0;
+  double lit_at_s_ = 0.0, asked_at_s_ = 0.0;
+  quint64 told_lit_ = 0;
   std::thread thread_;  // last: it uses all of them
 };
 
