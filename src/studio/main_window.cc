@@ -21,6 +21,8 @@
 
 #include "base/version.h"
 #include "studio/banner.h"
+#include "studio/calibrate_page.h"
+#include "studio/device_page.h"
 #include "studio/surface_page.h"
 
 namespace dorsum {
@@ -68,6 +70,10 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
 // The order in which a person needs them.
 void MainWindow::AddPages() {
   AddPage(tr("Surface"), tr("Look at a surface and measure it"), new SurfacePage(workbench_, stack_));
+  AddPage(tr("Calibrate"), tr("Calibrate the device, or look at how well it is calibrated"),
+          new CalibratePage(workbench_, stack_));
+  AddPage(tr("Device"), tr("Open a device, switch its lights by hand, examine it"),
+          new DevicePage(workbench_, stack_));
 }
 
 void MainWindow::AddPage(const QString& title, const QString& help, Page* page) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <QWidget>
+
+#include <opencv2/core.hpp>
+
+class QPainter;
+
+namespace dorsum {
+
+// A picture as large as it fits, in its own proportions; words where there is none.
+class FittedPicture : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FittedPicture(const QString& name, QWidget* parent = nullptr);
+
+  // Copies the pixels of an 8-bit picture, BGR or grey.
+  static QImage ImageOf(const cv::Mat& picture);
+
+  void Show(QImage image);
+  void Clear(const QString& words);
+  const QImage& image() const { return image_; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  // Over the picture, which fills `place`.
+  virtual void PaintOver(QPainter* /*painter*/, const QRectF& /*place*/) {}
+
+ private:
+  QImage image_;
+  QString words_;
+};
+
+}  // namespace dorsum
