@@ -52,8 +52,9 @@ cv::Mat Draw(const std::vector<SheetResidual>& residuals, int laser, const Sheet
              const Place& place, cv::Size size) {
   size = {std::max(size.width, 320), std::max(size.height, 220)};
   cv::Mat canvas(size, CV_8UC3, Pen(kPaper));
-  const PlotArea area{
-      {kLeft, kTop, size.width - kLeft - kRight, size.height - kTop - kBottom}, x_range, scales.miss_mm};
+  const PlotArea area{{kLeft, kTop, size.width - kLeft - kRight, size.height - kTop - kBottom},
+                      x_range,
+                      {kMicro * scales.miss_mm.low, kMicro * scales.miss_mm.high}};
   DrawGrid(canvas, area);
   Bins bins;
   for (const SheetResidual& r : residuals) {

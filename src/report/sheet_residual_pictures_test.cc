@@ -54,6 +54,18 @@ TEST(SheetResidualPictures, APatternAlongYShows) {
   EXPECT_GT(left, right + 40.0) << "misses grow with y, so the line rises to the right";
 }
 
+TEST(SheetResidualPictures, TheAxisReachesAsFarAsTheMisses) {
+  auto residuals = Residuals(0.04);
+  const SheetResidualScales scales = ScalesOf(residuals);
+  const auto row = [&](double miss_mm) {
+    for (SheetResidual& r : residuals) r.miss_mm = miss_mm;
+    const cv::Mat picture = DrawSheetResidualsOverY(residuals, 1, scales),
+                  empty = DrawSheetResidualsOverY(residuals, 2, scales);
+    return MeanRow(picture, empty, picture.cols / 4, picture.cols / 2);
+  };
+  EXPECT_GT(row(0.01), row(0.03) + 20.0) << "both lie at the edge of the axis";
+}
+
 TEST(SheetResidualPictures, OfAnotherLaserNothingIsDrawn) {
   const auto residuals = Residuals(0.02);
   const SheetResidualScales scales = ScalesOf(residuals);
