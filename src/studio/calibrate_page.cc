@@ -110,11 +110,12 @@ QWidget* CalibratePage::MakeSide() {
   steps_ = new QListWidget(side);
   steps_->setObjectName("steps");
   steps_->setAccessibleName(tr("Steps of the series"));
+  steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   steps_->setSelectionMode(QAbstractItemView::NoSelection);
   column->addWidget(take_);
   column->addWidget(calibrate_);
   column->addWidget(steps_, 1);
-  side->setFixedWidth(fontMetrics().averageCharWidth() * 36);
+  side->setFixedWidth(fontMetrics().averageCharWidth() * 48);
   connect(take_, &QPushButton::clicked, this, [this] {
     tabs_->setCurrentIndex(0);
     model_.Take();

@@ -27,7 +27,7 @@ QListWidget* MakeList(const QString& name, const QString& title, QWidget* parent
   auto* list = new QListWidget(parent);
   list->setObjectName(name);
   list->setAccessibleName(title);
-  list->setFixedWidth(parent->fontMetrics().averageCharWidth() * 28);
+  list->setFixedWidth(parent->fontMetrics().averageCharWidth() * 40);
   return list;
 }
 

@@ -150,6 +150,8 @@ QWidget* DevicePage::MakeTables() {
          "and under each laser. Clear the backplane first."));
   findings_ =
       MakeTable({tr("Part"), tr("Finding"), tr("What to do")}, "findings", tr("Findings"), examination);
+  findings_->header()->setSectionResizeMode(QHeaderView::Stretch);
+  findings_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   column->addWidget(findings_, 1);
   column->addWidget(examine, 0, Qt::AlignLeft);
   tabs->addTab(examination, tr("E&xamination"));
@@ -246,8 +248,6 @@ void DevicePage::ShowReport() {
     item->setData(0, Qt::AccessibleDescriptionRole, fine ? tr("fine") : broken ? tr("broken") : tr("note"));
     for (int c = 1; c < 3; ++c) item->setToolTip(c, item->text(c));
   }
-  findings_->resizeColumnToContents(0);
-  findings_->setColumnWidth(1, findings_->viewport()->width() / 2);
 }
 
 }  // namespace dorsum
