@@ -69,7 +69,7 @@ class DevicePageTest : public ::testing::Test {
 };
 
 TEST_F(DevicePageTest, ALaserLitByHandGoesOffByItself) {
-  DeviceModel model(&workbench_, 0.4);
+  DeviceModel model(&workbench_, 3.0);
   model.Watch(true);
   Open(&model);
   FindBench();

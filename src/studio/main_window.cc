@@ -23,6 +23,7 @@
 #include "studio/banner.h"
 #include "studio/calibrate_page.h"
 #include "studio/device_page.h"
+#include "studio/scan_page.h"
 #include "studio/surface_page.h"
 
 namespace dorsum {
@@ -69,6 +70,7 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
 
 // The order in which a person needs them.
 void MainWindow::AddPages() {
+  AddPage(tr("Scan"), tr("Scan a hand"), new ScanPage(workbench_, stack_));
   AddPage(tr("Surface"), tr("Look at a surface and measure it"), new SurfacePage(workbench_, stack_));
   AddPage(tr("Calibrate"), tr("Calibrate the device, or look at how well it is calibrated"),
           new CalibratePage(workbench_, stack_));

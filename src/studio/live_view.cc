@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/live_view.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+namespace dorsum {
+
+LiveView::LiveView(QWidget* parent) : QWidget(parent) {
+  setObjectName("live");
+  setAccessibleName(tr("Live picture"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void LiveView::Show(const HandView& view) {
+  view_ = view;
+  update();
+}
+
+void LiveView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Dark));
+  const cv::Mat& bgr = view_.picture;
+  if (bgr.empty()) return;
+  const QImage image(bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step), QImage::Format_BGR888);
+  const double scale =
+      std::min(static_cast<double>(width()) / bgr.cols, static_cast<double>(height()) / bgr.rows);
+  painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
+  painter.translate((width() - scale * bgr.cols) / 2.0, (height() - scale * bgr.rows) / 2.0);
+  painter.scale(scale, scale);
+  painter.drawImage(0, 0, image);
+  // Pixels' centres lie at whole numbers in outlines, their corners in what is painted.
+  painter.translate(0.5, 0.5);
+  const bool good = view_.advice == Advice::kGood;
+  QPen pen(good ? QColor(120, 255, 120) : QColor(255, 200, 60), good ? 4.0 : 3.0);
+  pen.setCosmetic(true);
+  painter.setPen(pen);
+  for (const auto& outline : view_.outlines) {
+    QPainterPath path;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const QPointF p(outline[i].x, outline[i].y);
+      i == 0 ? path.moveTo(p) : path.lineTo(p);
+    }
+    path.closeSubpath();
+    painter.drawPath(path);
+  }
+}
+
+}  // namespace dorsum
