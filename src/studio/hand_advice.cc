@@ -19,6 +19,7 @@ constexpr int kWidth = 400;           // px that a picture is reduced to
 constexpr double kMargin = 0.02;      // of the width: a finger that comes so near to the border leaves soon
 constexpr double kRest_px = 0.25;     // of reduced pictures
 constexpr double kUnchanged = 0.2;    // share of the light by which an empty backplane may differ
+constexpr double kSkin = 0.72;        // of the light missing in the hand's middle, that is missing at its rim
 constexpr double kHalf = 0.5;         // of the picture
 constexpr double kPalmInside = 1.15;  // palm radii from the palm's centre to the border, at least
 
@@ -33,6 +34,7 @@ struct Crossing {
 std::vector<Crossing> FindCrossings(const cv::Mat& mask) {
   std::vector<cv::Point> line;
   const int w = mask.cols, h = mask.rows;
+  line.reserve(static_cast<std::size_t>(2) * (static_cast<std::size_t>(w) + static_cast<std::size_t>(h)));
   for (int u = 0; u < w; ++u) line.emplace_back(u, 0);
   for (int v = 1; v < h; ++v) line.emplace_back(w - 1, v);
   for (int u = w - 2; u >= 0; --u) line.emplace_back(u, h - 1);
@@ -52,6 +54,29 @@ std::vector<Crossing> FindCrossings(const cv::Mat& mask) {
   std::sort(found.begin(), found.end(),
             [](const Crossing& a, const Crossing& b) { return a.length > b.length; });
   return found;
+}
+
+// The part of a rough mask in which nearly as much light is missing as in its middle: without the soft shadow
+// around it. Shadow between fingers is as dark as skin, and stays.
+cv::Mat WithoutShadow(const cv::Mat& rough, const cv::Mat& background, const cv::Mat& picture) {
+  cv::Mat before, after, missing, middle, mask;
+  cv::extractChannel(background, before, 1);
+  cv::extractChannel(picture, after, 1);
+  cv::divide(after, cv::max(before, 1), missing, 255.0);
+  missing = 255 - missing;
+  cv::erode(rough, middle, cv::Mat::ones(15, 15, CV_8UC1), {-1, -1}, 1, cv::BORDER_REPLICATE);
+  if (cv::countNonZero(middle) == 0) return rough;
+  mask = rough & (missing > kSkin * cv::mean(missing, middle)[0]);
+  cv::erode(middle, middle, cv::Mat::ones(15, 15, CV_8UC1), {-1, -1}, 1, cv::BORDER_REPLICATE);
+  mask |= middle;
+  cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8UC1));
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8, CV_32S);
+  int best = 0;
+  for (int i = 1; i < count; ++i) {
+    if (best == 0 || stats.at<int>(i, cv::CC_STAT_AREA) > stats.at<int>(best, cv::CC_STAT_AREA)) best = i;
+  }
+  return best == 0 ? rough : cv::Mat(labels == best);
 }
 
 // Away from a place on the border.
@@ -102,8 +127,10 @@ HandView HandAdvisor::Look(const cv::Mat& picture, double time_s) {
     view.advice = empty ? Advice::kPutHandDown : Advice::kLightChanged;
     return view;
   }
-  view.area_share = hand->area_share;
-  cv::findContours(hand->mask.clone(), view.outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  const cv::Mat mask = WithoutShadow(hand->mask, background_, view.picture);
+  view.area_share = static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
+  cv::findContours(mask.clone(), view.outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  // Judged with its shadow: without it a forearm may be as thick as a palm.
   view.advice = Judge(hand->mask, &view);
   // A hand that comes has no rest to speak of: what changes the picture moves it.
   if (view.advice == Advice::kGood && view.rested_s <= 0.0) view.advice = Advice::kHoldStill;
@@ -111,7 +138,7 @@ HandView HandAdvisor::Look(const cv::Mat& picture, double time_s) {
 }
 
 // The longest crossing of the border is the arm; whatever else crosses it is cut off.
-Advice HandAdvisor::Judge(const cv::Mat& mask, HandView* view) const {
+Advice HandAdvisor::Judge(const cv::Mat& mask, HandView* view) {
   const int margin = static_cast<int>(kMargin * mask.cols);
   const cv::Mat inner = mask(cv::Rect(margin, margin, mask.cols - 2 * margin, mask.rows - 2 * margin));
   const std::vector<Crossing> crossings = FindCrossings(inner);

@@ -43,7 +43,7 @@ class HandAdvisor {
   cv::Size size() const { return size_; }
 
  private:
-  Advice Judge(const cv::Mat& mask, HandView* view) const;
+  static Advice Judge(const cv::Mat& mask, HandView* view);
 
   cv::Size size_;
   cv::Mat background_;                // reduced

@@ -104,6 +104,18 @@ TEST(HandAdvice, AHandThatMovesIsToldToHoldStillHoweverSlowly) {
   EXPECT_LT(longest, 1.0);
 }
 
+TEST(HandAdvice, NoiseIsNoMotion) {
+  HandAdvisor advisor(Background());
+  cv::RNG random(7);
+  const cv::Mat still = Picture(ScanFixture::kHand);
+  for (int i = 0; i < 40; ++i) {
+    cv::Mat noise(still.size(), CV_16SC3), noisy;
+    random.fill(noise, cv::RNG::NORMAL, 0.0, 3.0);
+    cv::add(still, noise, noisy, {}, CV_8UC3);
+    EXPECT_EQ(advisor.Look(noisy, 0.1 * i).rested_s, 0.1 * i);
+  }
+}
+
 TEST(HandAdvice, APictureOfAnotherSizeIsRefused) {
   HandAdvisor advisor(Background());
   EXPECT_THROW(advisor.Look(cv::Mat::zeros(10, 10, CV_8UC3), 0.0), std::logic_error);

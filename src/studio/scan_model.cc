@@ -304,7 +304,7 @@ void ScanModel::Place(const QString& scene) {
         DORSUM_RETURN_IF_ERROR(device.bench->PlaceNamed(scene));
         return true;
       },
-      [self = QPointer<ScanModel>(this)](Result<bool> placed) {
+      [self = QPointer<ScanModel>(this)](const Result<bool>& placed) {
         if (!self) return;
         self->armed_ = true;
         if (!placed.ok()) self->workbench_->Fail(placed.error());

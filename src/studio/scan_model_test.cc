@@ -42,8 +42,8 @@ TEST_F(ScanModelTest, AHandThatRestsIsScannedByItselfRepeatedAndKept) {
   model_.Repeat();
   ASSERT_TRUE(Reaches(model_, ScanState::kReady));
   QTest::qWait(300);
-  EXPECT_TRUE(model_.state() == ScanState::kReady || model_.state() == ScanState::kPreview);
-  ASSERT_TRUE(Reaches(model_, ScanState::kReady));
+  EXPECT_EQ(model_.state(), ScanState::kReady)
+      << model_.Sentence().toStdString() << ", rested for " << model_.view().rested_s << " s";
   model_.Scan();
   ASSERT_TRUE(Reaches(model_, ScanState::kShown));
   QSignalSpy kept(&model_, &ScanModel::Kept);
