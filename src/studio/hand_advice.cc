@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 400;           // px that a picture is reduced to
 constexpr double kMargin = 0.02;      // of the width: a finger that comes so near to the border leaves soon
-constexpr double kRest_px = 0.25;     // of reduced pictures
+constexpr double kRest_px = 0.4;      // of reduced pictures, whose noise looks like 0.25 at most
 constexpr double kUnchanged = 0.2;    // share of the light by which an empty backplane may differ
 constexpr double kSkin = 0.72;        // of the light missing in the hand's middle, that is missing at its rim
 constexpr double kHalf = 0.5;         // of the picture
@@ -110,8 +110,8 @@ HandView HandAdvisor::Look(const cv::Mat& picture, double time_s) {
   HandView view;
   view.picture = ReducePicture(picture, kWidth);
   MotionOptions motion;
-  motion.tile_px = 24;
-  motion.blur_px = 1.0;
+  motion.tile_px = 32;
+  motion.blur_px = 1.5;
   if (!reference_ || MeasureMotion(*reference_, view.picture, motion).shift_px > kRest_px) {
     reference_ = view.picture;
     reference_s_ = time_s;

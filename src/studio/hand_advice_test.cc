@@ -96,10 +96,10 @@ TEST(HandAdvice, AHandThatMovesIsToldToHoldStillHoweverSlowly) {
   HandAdvisor advisor(Background());
   advisor.Look(Pushed(0, 0), 0.0);
   EXPECT_EQ(advisor.Look(Pushed(3, 0), 0.5).advice, Advice::kHoldStill);
-  // A third of a pixel each time: no two neighbours tell, but it does not rest for a second.
+  // Half a pixel each time: no two neighbours tell, but it does not rest for a second.
   double longest = 0.0;
   for (int i = 1; i <= 12; ++i) {
-    longest = std::max(longest, advisor.Look(Pushed(3 + 0.33 * i, 0), 0.5 + 0.3 * i).rested_s);
+    longest = std::max(longest, advisor.Look(Pushed(3 + 0.5 * i, 0), 0.5 + 0.3 * i).rested_s);
   }
   EXPECT_LT(longest, 1.0);
 }
