@@ -34,9 +34,7 @@ std::pair<int, double> Around(double at, int nodes) {
 
 DeviceOrders::DeviceOrders(DeviceGeometry device)
     : device_(std::move(device)),
-      camera_height_(device_.camera.Center().z()),
-      low_(device_.min_height_mm - kSlackMm),
-      high_(device_.max_height_mm + kSlackMm),
+      nodes_(device_.camera.Center().z(), device_.min_height_mm - kSlackMm, device_.max_height_mm + kSlackMm),
       step_px_(static_cast<double>(device_.camera.width) / kCells),
       cols_(Nodes(device_.camera.width, step_px_)),
       rows_(Nodes(device_.camera.height, step_px_)) {
@@ -47,22 +45,18 @@ DeviceOrders::DeviceOrders(DeviceGeometry device)
     map.laser = laser.laser;
     for (int r = 0; r < rows_; ++r) {
       for (int c = 0; c < cols_; ++c) {
-        map.nodes.push_back(RayOrders::Sample(device_.camera, laser, (c - kFrame) * step_px_,
-                                              (r - kFrame) * step_px_, low_, high_)
-                                .value_or(nothing));
+        const auto orders =
+            nodes_.Sample(device_.camera, laser, (c - kFrame) * step_px_, (r - kFrame) * step_px_);
+        map.differences.push_back(orders ? nodes_.Differences(*orders) : nothing);
       }
     }
   }
 }
 
-RayOrders DeviceOrders::Along(const RayOrders::Orders& orders) const {
-  return {camera_height_, low_, high_, orders};
-}
-
 std::optional<RayOrders> DeviceOrders::Exactly(const LaserGeometry& laser, double u, double v) const {
-  const auto orders = RayOrders::Sample(device_.camera, laser, u, v, low_, high_);
+  const auto orders = nodes_.Sample(device_.camera, laser, u, v);
   if (!orders) return std::nullopt;
-  return Along(*orders);
+  return RayOrders(nodes_, nodes_.Differences(*orders));
 }
 
 std::optional<RayOrders> DeviceOrders::At(int laser, double u, double v) const {
@@ -71,17 +65,18 @@ std::optional<RayOrders> DeviceOrders::At(int laser, double u, double v) const {
   const auto [c, tu] = Around(u / step_px_, cols_);
   const auto [r, tv] = Around(v / step_px_, rows_);
   const std::array<double, 4> wu = CubicWeights(tu), wv = CubicWeights(tv);
-  RayOrders::Orders orders{};
+  RayOrders::Orders differences{};
   for (std::size_t y = 0; y < 4; ++y) {
-    const auto* row = &map->nodes[(static_cast<std::size_t>(r) + y) * static_cast<std::size_t>(cols_) +
-                                  static_cast<std::size_t>(c)];
+    const auto* row = &map->differences[(static_cast<std::size_t>(r) + y) * static_cast<std::size_t>(cols_) +
+                                        static_cast<std::size_t>(c)];
     for (std::size_t x = 0; x < 4; ++x) {
       const double weight = wv[y] * wu[x];
-      for (std::size_t i = 0; i < orders.size(); ++i) orders[i] += weight * row[x][i];
+      for (std::size_t i = 0; i < differences.size(); ++i) differences[i] += weight * row[x][i];
     }
   }
-  const bool known = std::all_of(orders.begin(), orders.end(), [](double n) { return std::isfinite(n); });
-  return known ? Along(orders) : Exactly(*device_.FindLaser(laser), u, v);
+  // A cell beside rays without a sheet is NaN throughout.
+  if (std::isfinite(differences[0])) return RayOrders(nodes_, differences);
+  return Exactly(*device_.FindLaser(laser), u, v);
 }
 
 }  // namespace dorsum

@@ -19,7 +19,7 @@ class DeviceOrders {
   const DeviceGeometry& device() const { return device_; }
 
   // None where the pixel's ray does not meet the laser's sheets, or the device has no such laser. Heights
-  // from kSlackMm below the working volume to as much above it.
+  // from kSlackMm below the working volume to as much above it. For as long as this object lives.
   std::optional<RayOrders> At(int laser, double u, double v) const;
 
   // The same, from the sheets themselves.
@@ -30,12 +30,12 @@ class DeviceOrders {
  private:
   struct Map {
     int laser = 0;
-    std::vector<RayOrders::Orders> nodes;  // by rows; NaN where the ray meets no sheet
+    std::vector<RayOrders::Orders> differences;  // by rows; NaN where the ray meets no sheet
   };
-  RayOrders Along(const RayOrders::Orders& orders) const;
 
   DeviceGeometry device_;
-  double camera_height_, low_, high_, step_px_;
+  RayOrders::Nodes nodes_;
+  double step_px_;
   int cols_, rows_;  // of the grid
   std::vector<Map> maps_;
 };

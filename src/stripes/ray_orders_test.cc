@@ -14,9 +14,10 @@ namespace {
 
 constexpr double kLow = -3.0, kHigh = 83.0;
 
-RayOrders Along(const DeviceGeometry& device, double u, double v) {
-  return {device.camera.Center().z(), kLow, kHigh,
-          RayOrders::Sample(device.camera, device.lasers[0], u, v, kLow, kHigh).value()};
+RayOrders::Nodes NodesOf(const DeviceGeometry& device) { return {device.camera.Center().z(), kLow, kHigh}; }
+
+RayOrders Along(const RayOrders::Nodes& nodes, const DeviceGeometry& device, double u, double v) {
+  return {nodes, nodes.Differences(nodes.Sample(device.camera, device.lasers[0], u, v).value())};
 }
 
 // Orders whose sheets the ray meets between the heights.
@@ -27,9 +28,10 @@ std::pair<int, int> Seen(const RayOrders& ray) {
 
 TEST(RayOrders, GivesTheHeightsThatTheSheetsGive) {
   const DeviceGeometry device = FanDevice(1);
+  const RayOrders::Nodes nodes = NodesOf(device);
   for (const double u : {50.0, 400.0, 750.0}) {
     for (const double v : {20.0, 300.0, 580.0}) {
-      const RayOrders ray = Along(device, u, v);
+      const RayOrders ray = Along(nodes, device, u, v);
       const auto [first, last] = Seen(ray);
       for (int m = first; m <= last; ++m) {
         const auto p = IntersectSheet(CastRay(device.camera, {u, v}), device.lasers[0], SheetModel::kCone, m);
@@ -42,7 +44,8 @@ TEST(RayOrders, GivesTheHeightsThatTheSheetsGive) {
 
 TEST(RayOrders, TakesPlanesWhereThereIsNoFan) {
   const DeviceGeometry device = TestDevice();
-  const RayOrders ray = Along(device, 300.0, 200.0);
+  const RayOrders::Nodes nodes = NodesOf(device);
+  const RayOrders ray = Along(nodes, device, 300.0, 200.0);
   const int m = Seen(ray).first;
   const auto p =
       IntersectSheet(CastRay(device.camera, {300.0, 200.0}), device.lasers[0], SheetModel::kPlane, m);
@@ -52,7 +55,8 @@ TEST(RayOrders, TakesPlanesWhereThereIsNoFan) {
 
 TEST(RayOrders, NothingIsSampledWhereNoSheetIs) {
   LaserGeometry nothing;
-  EXPECT_FALSE(RayOrders::Sample(TestDevice().camera, nothing, 300.0, 200.0, kLow, kHigh));
+  const DeviceGeometry device = TestDevice();
+  EXPECT_FALSE(NodesOf(device).Sample(device.camera, nothing, 300.0, 200.0));
 }
 
 }  // namespace
