@@ -7,6 +7,7 @@
 
 #include "accuracy/document.h"
 #include "base/files.h"
+#include "base/heap.h"
 #include "cli/session.h"
 #include "speed/benches.h"
 
@@ -129,6 +130,7 @@ int Run(int argc, char** argv) {
 }  // namespace dorsum::speed
 
 int main(int argc, char** argv) {
+  dorsum::KeepFreedMemory();  // as the products do
   dorsum::CatchInterrupts();
   try {
     return dorsum::speed::Run(argc, argv);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/heap.h"
 #include "base/version.h"
 #include "cli/commands.h"
 
@@ -60,6 +61,7 @@ int RunProgram(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  dorsum::KeepFreedMemory();
   dorsum::CatchInterrupts();
   // FFmpeg would put its own words on the standard error, beside our sentence; -8 is its "quiet".
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
