@@ -2,6 +2,7 @@
 #include "stripes/shading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,13 +29,17 @@ std::vector<std::vector<float>> ColumnsByRow(const LaserStripes& stripes, int ro
 std::vector<double> WidthsAlong(const LaserStripes& one, const StripeSegment& segment) {
   constexpr std::int32_t kRows = 7;
   std::vector<double> widths;
+  widths.reserve(static_cast<std::size_t>(segment.count));
+  std::array<float, 2 * kRows + 1> near{};
   for (std::int32_t at = segment.first; at < segment.first + segment.count; ++at) {
-    std::vector<float> near;
-    for (std::int32_t i = std::max(segment.first, at - kRows);
-         i < std::min(segment.first + segment.count, at + kRows + 1); ++i) {
-      near.push_back(one.points[static_cast<std::size_t>(i)].width);
+    const std::int32_t first = std::max(segment.first, at - kRows);
+    const std::int32_t end = std::min(segment.first + segment.count, at + kRows + 1);
+    for (std::int32_t i = first; i < end; ++i) {
+      near[static_cast<std::size_t>(i - first)] = one.points[static_cast<std::size_t>(i)].width;
     }
-    widths.push_back(static_cast<double>(Median(std::move(near))));
+    const auto middle = near.begin() + (end - first) / 2;
+    std::nth_element(near.begin(), middle, near.begin() + (end - first));
+    widths.push_back(static_cast<double>(*middle));
   }
   return widths;
 }
