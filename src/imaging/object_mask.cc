@@ -21,6 +21,30 @@ constexpr int kReach = 3;             // px: how far the outline on double pixel
 constexpr double kFineTexture = 0.7;  // single pixels differ less than double ones, though noise is more
 constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
 
+// What is not known to be empty; begins at a whole pixel of double size.
+cv::Rect BusyPart(const cv::Mat& empty, cv::Size picture) {
+  const cv::Rect whole({0, 0}, picture);
+  if (empty.empty()) return whole;
+  const cv::Rect busy = cv::boundingRect(empty == 0);
+  if (busy.empty()) return whole;
+  return {cv::Point(busy.x / 2 * 2, busy.y / 2 * 2), busy.br()};
+}
+
+// Seeds by their places in a part of the picture; those outside lie beyond its borders.
+std::vector<ObjectSeed> SeedsWithin(std::vector<ObjectSeed> seeds, const cv::Rect& part) {
+  for (ObjectSeed& seed : seeds) {
+    seed.u -= static_cast<float>(part.x);
+    seed.v -= static_cast<float>(part.y);
+  }
+  return seeds;
+}
+
+void MoveBy(cv::Point by, Outlines* outlines) {
+  for (auto& outline : *outlines) {
+    for (cv::Point2f& p : outline) p += cv::Point2f(by);
+  }
+}
+
 // Where no seed of the object is nearer than about 30 px, in squares of 8 px.
 cv::Mat FarFromObject(const cv::Mat& votes) {
   constexpr int kSquare = 8, kSquares = 4;
@@ -105,16 +129,9 @@ Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::
   cv::resize(object(half), large, {2 * half.width, 2 * half.height}, 0, 0, cv::INTER_NEAREST);
   fine.known = OpenOutline(large(cv::Rect({0, 0}, part.size())), kReach);
   fine.texture = texture(half) * kFineTexture;
-  std::vector<ObjectSeed> own = seeds;
-  for (ObjectSeed& seed : own) {
-    seed.u -= static_cast<float>(part.x);
-    seed.v -= static_cast<float>(part.y);
-  }
-  fine.pull = options.seed_strength * CountVotes(own, part.size(), 1);
+  fine.pull = options.seed_strength * CountVotes(SeedsWithin(seeds, part), part.size(), 1);
   Outlines outlines = FindOutlines(CutInBand(fine), fine.light, fine.texture);
-  for (auto& outline : outlines) {
-    for (cv::Point2f& p : outline) p += cv::Point2f(part.tl());
-  }
+  MoveBy(part.tl(), &outlines);
   return outlines;
 }
 
@@ -133,17 +150,25 @@ double ContradictingShare(const std::vector<ObjectSeed>& seeds, const cv::Mat& m
 }  // namespace
 
 Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
-                                  const std::vector<ObjectSeed>& seeds, const ObjectMaskOptions& options,
-                                  const Context& context) {
+                                  const std::vector<ObjectSeed>& seeds, const cv::Mat& empty,
+                                  const ObjectMaskOptions& options, const Context& context) {
   if (background.type() != CV_8UC3 || hand.type() != CV_8UC3 || background.size() != hand.size())
     throw std::logic_error("RefineObjectMask: two CV_8UC3 pictures of one size are needed");
   const auto on_object = std::count_if(seeds.begin(), seeds.end(), [](const auto& s) { return s.object; });
   if (on_object < options.min_seeds) return ExtractHandMask(background, hand, options.picture_only, context);
 
+  const cv::Rect busy = BusyPart(empty, hand.size());
+  const cv::Mat before = background(busy), after = hand(busy);
+  const std::vector<ObjectSeed> own = SeedsWithin(seeds, busy);
   BandCut coarse;
-  coarse.light = LedRatio(background, hand, 2, context);
-  SeedMap map = MapSeeds(seeds, coarse.light, 2);
+  coarse.light = LedRatio(before, after, 2, context);
+  SeedMap map = MapSeeds(own, coarse.light, 2);
   SettleUnchanged(coarse.light, map.votes, &map.known);
+  if (!empty.empty()) {
+    cv::Mat small;
+    cv::resize(empty(busy), small, map.known.size(), 0, 0, cv::INTER_NEAREST);
+    map.known.setTo(kBackplanePixel, small);
+  }
   coarse.known = map.known;
   ParallelFor(context, 0, 2, [&](std::int64_t part) {
     if (part == 0) {
@@ -155,15 +180,16 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   });
   cv::add(coarse.pull, cv::Scalar(kBridgePull), coarse.pull, map.bridge);
   cv::Mat object = CutInBand(coarse);
-  DropPieces(map.votes, 1.0F, 5, options.min_area_share * static_cast<double>(object.total()), &object);
+  DropPieces(map.votes, 1.0F, 5, options.min_area_share * 0.25 * static_cast<double>(hand.total()), &object);
   DropPieces(map.votes, -1.0F, 5, 40, &object);
   Sink(context, "mask/coarse", object);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
 
   HandMask result;
-  const cv::Rect part = FinePart(object, hand.size());
+  const cv::Rect part = FinePart(object, after.size());
   if (!part.empty()) {
-    result.outlines = FineOutlines(background, hand, object, coarse.texture, seeds, part, options, context);
+    result.outlines = FineOutlines(before, after, object, coarse.texture, own, part, options, context);
+    MoveBy(busy.tl(), &result.outlines);
   }
   result.mask = FillOutlines(result.outlines, hand.size());
   result.area_share =

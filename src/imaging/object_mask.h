@@ -35,10 +35,11 @@ struct ObjectMaskOptions {
 // it, where shadow has none; a seed costs `seed_strength` when it lands on the wrong side, so that a few
 // wrong ones do no harm. First on pixels of double size, then on single ones along the outline found,
 // then to a part of a pixel (FindOutlines).
-//   `background` and `hand` are CV_8UC3 of one size. Too few seeds on the object: ExtractHandMask's answer.
+//   `background` and `hand` are CV_8UC3 of one size. `empty`: CV_8UC1 of that size, not 0 where there is
+// surely nothing but backplane; or no picture. Too few seeds on the object: ExtractHandMask's answer.
 // An error when no object is seen, or one that has no outline.
 Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
-                                  const std::vector<ObjectSeed>& seeds, const ObjectMaskOptions& options,
-                                  const Context& context = {});
+                                  const std::vector<ObjectSeed>& seeds, const cv::Mat& empty,
+                                  const ObjectMaskOptions& options, const Context& context = {});
 
 }  // namespace dorsum

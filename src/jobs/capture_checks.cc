@@ -51,7 +51,10 @@ double Likeness(const cv::Mat& a, const cv::Mat& b) {
 // The laser whose places on the backplane the stripes of a picture fit, if they are not those of `laser`.
 std::optional<int> OtherLaser(const cv::Mat& picture, int laser, const ReadyCalibration& ready,
                               const cv::Mat& empty, const Context& context) {
-  LaserStripes stripes = FindRidges(GreenChannel(picture), {}, laser, {}, context);
+  const RidgeOptions ridge;
+  LaserStripes stripes;
+  stripes.points =
+      SurveyRidges(GreenChannel(picture), {}, ridge.width_px, ridge.detection, ridge.fit, context).points;
   const auto fits = [&](int k) {
     stripes.laser = k;
     const auto checks = CheckBackplane({stripes}, *ready.orders, empty, {});

@@ -26,19 +26,16 @@ void KeepInside(const cv::Mat& mask, IndexedStripes* stripes) {
   }
 }
 
-void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask, const std::map<int, NoiseModel>& noise,
-                    const ReconstructOptions& options, const Context& context, IndexedStripes* stripes) {
+void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask,
+                    const std::map<int, LaserPicture>& pictures, const ReconstructOptions& options,
+                    const Context& context, IndexedStripes* stripes) {
   PoolingOptions pooling = options.pooling;
   if (options.shading == "led") {
-    std::vector<LaserPicture> pictures(stripes->lasers.size());
-    ParallelFor(context, 0, static_cast<std::int64_t>(pictures.size()), [&](std::int64_t i) {
-      const int laser = stripes->lasers[static_cast<std::size_t>(i)].laser;
-      pictures[static_cast<std::size_t>(i)] = {
-          GreenChannel(*capture.stripes[static_cast<std::size_t>(laser)]), noise.at(laser)};
-    });
+    std::vector<LaserPicture> own;
+    for (const LaserStripes& one : stripes->lasers) own.push_back(pictures.at(one.laser));
     const SurfaceBrightness brightness(GreenChannel(capture.hand), mask, *stripes,
                                        options.surface_shading.brightness, context);
-    FitOnShadedSurface(brightness, pictures, options.ridge.fit, options.surface_shading, context, stripes);
+    FitOnShadedSurface(brightness, own, options.ridge.fit, options.surface_shading, context, stripes);
     pooling.pull.across_share *= options.surface_shading.left_over;
   }
   ParallelFor(context, 0, static_cast<std::int64_t>(stripes->lasers.size()), [&](std::int64_t i) {

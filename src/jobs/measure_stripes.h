@@ -8,7 +8,7 @@
 #include "base/context.h"
 #include "captures/capture.h"
 #include "jobs/reconstruct_options.h"
-#include "stripes/noise_model.h"
+#include "stripes/shading.h"
 #include "stripes/stripes.h"
 
 namespace dorsum {
@@ -18,9 +18,10 @@ namespace dorsum {
 void KeepInside(const cv::Mat& mask, IndexedStripes* stripes);
 
 // From single rows to what is known of the sheets' centres, once the object and the orders are: the surface's
-// shading is taken off (stripes/shading.h) and rows are pooled (stripes/pooling.h). `noise` is that of
-// each laser's picture. `options` are resolved; the stripes must be ridges.
-void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask, const std::map<int, NoiseModel>& noise,
-                    const ReconstructOptions& options, const Context& context, IndexedStripes* stripes);
+// shading is taken off (stripes/shading.h) and rows are pooled (stripes/pooling.h). `pictures`: by laser.
+// `options` are resolved; the stripes must be ridges.
+void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask,
+                    const std::map<int, LaserPicture>& pictures, const ReconstructOptions& options,
+                    const Context& context, IndexedStripes* stripes);
 
 }  // namespace dorsum

@@ -26,7 +26,7 @@ std::vector<double> Shifts(const LaserStripes& stripes, const DeviceOrders& orde
   const cv::Rect picture({}, empty.size());
   for (const StripePoint& p : stripes.points) {
     const cv::Point at(cvRound(p.u), cvRound(p.v));
-    if (at.y % 4 != 0 || !picture.contains(at) || empty.at<std::uint8_t>(at) == 0) continue;
+    if (!picture.contains(at) || empty.at<std::uint8_t>(at) == 0) continue;
     if (const auto shift = ShiftOf(p, orders, stripes.laser)) shifts.push_back(*shift);
   }
   std::sort(shifts.begin(), shifts.end());
@@ -57,7 +57,7 @@ std::vector<BackplaneCheck> CheckBackplane(const std::vector<LaserStripes>& stri
     check.points = static_cast<int>(shifts.size());
     const auto [first, last] = Densest(shifts, options.near_px);
     const auto shared = static_cast<double>(last - first);
-    if (4 * check.points < options.min_points || shared < options.min_share * check.points) continue;
+    if (check.points < options.min_points || shared < options.min_share * check.points) continue;
     std::vector<double> sizes;
     for (std::size_t i = first; i < last; ++i) sizes.push_back(std::abs(shifts[i]));
     check.shift_px = Median(std::move(sizes));

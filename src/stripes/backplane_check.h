@@ -14,7 +14,7 @@ struct BackplaneCheckOptions {
   double max_shift_px = 0.6;  // usual distance of backplane stripes from where they belong, px, 0.1 to 10
   double near_px = 2.0;       // stripes this close to each other's shift share it, px, 0.5 to 20
   double min_share = 0.4;  // share of a laser's points that must share a shift, else nothing is said, 0 to 1
-  int min_points = 300;    // of a laser, fewer say nothing
+  int min_points = 40;     // of a laser, fewer say nothing
 };
 
 // Whether a laser's stripes on the backplane lie where the calibration has them.

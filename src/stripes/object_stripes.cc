@@ -8,6 +8,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "stripes/ridge_survey.h"
 
 namespace dorsum {
 namespace {
@@ -29,18 +30,28 @@ std::vector<float> Heights(const LaserStripes& stripes, const DeviceOrders& orde
   return z;
 }
 
-// Standard deviation of the heights of segments that lie on the backplane, from the median deviation.
+// Standard deviation of the heights of segments that lie on the backplane, and of what lies there elsewhere,
+// from the median deviation over the surveyed rows.
 double BackplaneDeviation(const IndexedStripes& stripes, const std::vector<std::vector<float>>& heights,
+                          const std::vector<LaserStripes>& elsewhere, const DeviceOrders& orders,
                           double least) {
   std::vector<float> all;
   for (std::size_t l = 0; l < stripes.lasers.size(); ++l) {
+    const std::vector<StripePoint>& points = stripes.lasers[l].points;
     for (const StripeSegment& s : stripes.lasers[l].segments) {
       const auto from = heights[l].begin() + s.first;
       const auto low = std::count_if(from, from + s.count, [&](float z) { return std::abs(z) < least; });
       if (2 * low < s.count) continue;
-      std::for_each(from, from + s.count, [&](float z) {
-        if (!std::isnan(z)) all.push_back(std::abs(z));
-      });
+      for (auto i = static_cast<std::size_t>(s.first); i < static_cast<std::size_t>(s.first + s.count); ++i) {
+        const float z = std::abs(heights[l][i]);  // higher parts of the segment are the object's
+        if (z < 1.5F * static_cast<float>(least) && kSurveyedRows.Has(cvRound(points[i].v))) all.push_back(z);
+      }
+    }
+  }
+  for (const LaserStripes& one : elsewhere) {
+    for (const StripePoint& p : one.points) {
+      const auto ray = orders.At(one.laser, static_cast<double>(p.u), static_cast<double>(p.v));
+      if (ray) all.push_back(static_cast<float>(std::abs(ray->HeightOf(std::round(ray->OrderAt(0.0))))));
     }
   }
   return all.empty() ? 0.0 : 1.4826 * Median(all);
@@ -191,13 +202,14 @@ LaserSplit SplitLaser(const LaserStripes& from, double threshold_mm, const Objec
 
 }  // namespace
 
-ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& orders,
-                          const ObjectSplitOptions& options, const Context& context) {
+ObjectSplit SplitByHeight(const IndexedStripes& stripes, const std::vector<LaserStripes>& elsewhere,
+                          const DeviceOrders& orders, const ObjectSplitOptions& options,
+                          const Context& context) {
   ObjectSplit out;
   std::vector<std::vector<float>> heights;
   heights.reserve(stripes.lasers.size());
   for (const LaserStripes& one : stripes.lasers) heights.push_back(Heights(one, orders, context));
-  out.backplane_sd_mm = BackplaneDeviation(stripes, heights, options.min_height_mm);
+  out.backplane_sd_mm = BackplaneDeviation(stripes, heights, elsewhere, orders, options.min_height_mm);
   out.threshold_mm = std::max(options.min_height_mm, options.noise_factor * out.backplane_sd_mm);
   out.object.diagnostics = stripes.diagnostics;
   std::vector<LaserSplit> splits(stripes.lasers.size());
@@ -205,6 +217,8 @@ ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& ord
     const auto l = static_cast<std::size_t>(i);
     splits[l] = SplitLaser(stripes.lasers[l], out.threshold_mm, options, std::move(heights[l]));
   });
+  for (const LaserStripes& one : elsewhere)
+    out.backplane.insert(out.backplane.end(), one.points.begin(), one.points.end());
   for (LaserSplit& split : splits) {
     out.object.lasers.push_back(std::move(split.object));
     out.backplane.insert(out.backplane.end(), split.backplane.begin(), split.backplane.end());

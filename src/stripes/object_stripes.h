@@ -33,8 +33,10 @@ struct ObjectSplit {
 };
 
 // Tells the object's stripes from the backplane's by their heights, whole runs of rows at a time. Segments
-// without an order are in neither.
-ObjectSplit SplitByHeight(const IndexedStripes& stripes, const DeviceOrders& orders,
-                          const ObjectSplitOptions& options, const Context& context = {});
+// without an order are in neither. `elsewhere`: points of the surveyed rows (ridge_survey.h) that are known
+// to lie on the backplane, and have no row among `stripes`.
+ObjectSplit SplitByHeight(const IndexedStripes& stripes, const std::vector<LaserStripes>& elsewhere,
+                          const DeviceOrders& orders, const ObjectSplitOptions& options,
+                          const Context& context = {});
 
 }  // namespace dorsum

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "stripes/ridge_survey.h"
 #include "stripes/row_noise.h"
 
 namespace dorsum {
@@ -123,6 +122,11 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
   const RidgeSurvey survey =
       SurveyRidges(green, region, options.width_px, options.detection, options.fit, context);
   if (noise != nullptr) *noise = survey.noise;
+  return FindRidges(green, region, laser, survey, options, context);
+}
+
+LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeSurvey& survey,
+                        const RidgeOptions& options, const Context& context) {
   LaserStripes none;
   none.laser = laser;
   if (!(survey.width_px > 0.0)) return none;

@@ -7,6 +7,7 @@
 #include "stripes/cut_stripes.h"
 #include "stripes/profile_fit.h"
 #include "stripes/ridge_detection.h"
+#include "stripes/ridge_survey.h"
 #include "stripes/segment_linking.h"
 #include "stripes/stripes.h"
 
@@ -36,5 +37,9 @@ struct RidgeOptions {
 // region boundary of Algorithm 1. `noise`, if given, gets the picture's noise model.
 LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeOptions& options,
                         const Context& context, NoiseModel* noise = nullptr);
+
+// The same with what SurveyRidges() found, which may have looked at more of the picture than `region`.
+LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeSurvey& survey,
+                        const RidgeOptions& options, const Context& context);
 
 }  // namespace dorsum

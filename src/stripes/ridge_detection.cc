@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "stripes/ridge_response.h"
@@ -28,21 +30,36 @@ std::vector<float> MatchedKernel(double width) {
   return kernel;
 }
 
-float Refine(const std::vector<float>& r, std::size_t u) {
-  const float curve = r[u - 1] - 2.0F * r[u] + r[u + 1];
-  const float shift = curve < 0.0F ? 0.5F * (r[u - 1] - r[u + 1]) / curve : 0.0F;
-  return static_cast<float>(u) + std::clamp(shift, -0.5F, 0.5F);
+// From a place to the top of the parabola through it and its neighbours.
+float ShiftToTop(const std::vector<float>& r, std::size_t place) {
+  const float curve = r[place - 1] - 2.0F * r[place] + r[place + 1];
+  const float shift = curve < 0.0F ? 0.5F * (r[place - 1] - r[place + 1]) / curve : 0.0F;
+  return std::clamp(shift, -0.5F, 0.5F);
 }
 
-// Drops the weaker of two that stand too close to be two.
-void PartNeighbours(const std::vector<float>& response, double width, std::vector<RidgeCandidate>* found) {
+// Columns [first, end) that hold all of a region in its row, and `reach` more on both sides; end is 0 where
+// the region is empty.
+std::pair<int, int> ColumnsOf(const std::uint8_t* region, int cols, int reach) {
+  if (region == nullptr) return {0, cols};
+  const auto is_in = [](std::uint8_t r) { return r != 0; };
+  const std::uint8_t* first = std::find_if(region, region + cols, is_in);
+  if (first == region + cols) return {0, 0};
+  const auto last =
+      std::find_if(std::make_reverse_iterator(region + cols), std::make_reverse_iterator(first), is_in);
+  return {std::max(0, static_cast<int>(first - region) - reach),
+          std::min(cols, static_cast<int>(last.base() - region) + reach)};
+}
+
+// Drops the weaker of two that stand too close to be two. `response` begins at column `first`.
+void PartNeighbours(const std::vector<float>& response, int first, double width,
+                    std::vector<RidgeCandidate>* found) {
   std::size_t kept = 0;
   for (const RidgeCandidate& c : *found) {
     if (kept > 0) {
       RidgeCandidate& last = (*found)[kept - 1];
       if (static_cast<double>(c.u - last.u) < 2.0 * width) {
-        const auto from = response.begin() + std::lround(last.u);
-        const auto to = response.begin() + std::lround(c.u) + 1;
+        const auto from = response.begin() + std::lround(last.u) - first;
+        const auto to = response.begin() + std::lround(c.u) + 1 - first;
         const float dip = *std::min_element(from, to);
         if (dip > 0.6F * std::min(c.response, last.response)) {
           if (c.response > last.response) last = c;
@@ -68,27 +85,28 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
   std::vector<std::vector<RidgeCandidate>> rows(static_cast<std::size_t>(green.rows));
   const int count = std::max(0, (green.rows - comb.first + comb.step - 1) / comb.step);
   ParallelFor(context, 0, count, [&](std::int64_t i) {
-    const std::int64_t row = comb.first + i * comb.step;
+    const int row = comb.first + static_cast<int>(i) * comb.step;
+    const auto* in = region.empty() ? nullptr : region.ptr<std::uint8_t>(row);
+    const auto [first, end] = ColumnsOf(in, green.cols, reach);
+    if (end == 0) return;
     thread_local std::optional<RidgeResponse> lines;
     if (!lines || lines->kernel() != kernel) lines.emplace(kernel);
-    lines->Compute(green, static_cast<int>(row));
+    lines->Compute(green, row, first, end);
     const std::vector<float>& r = lines->response();
-    const auto* in = region.empty() ? nullptr : region.ptr<std::uint8_t>(static_cast<int>(row));
     std::vector<RidgeCandidate>& found = rows[static_cast<std::size_t>(row)];
     for (const int peak : lines->Peaks(static_cast<float>(options.min_response))) {
-      const auto u = static_cast<std::size_t>(peak);
-      const auto response = static_cast<double>(r[u]);
-      if (in != nullptr && in[u] == 0) continue;
-      const double surroundings = std::max(0.0, static_cast<double>(lines->Smoothed(u)) - 0.5 * response);
+      const auto place = static_cast<std::size_t>(peak);
+      const auto response = static_cast<double>(r[place]);
+      if (in != nullptr && in[first + peak] == 0) continue;
+      const double surroundings = std::max(0.0, static_cast<double>(lines->Smoothed(place)) - 0.5 * response);
       if (response * response < gain * noise.Variance(surroundings)) continue;
-      const std::size_t from = u > static_cast<std::size_t>(reach) ? u - static_cast<std::size_t>(reach) : 0;
-      const std::size_t to = std::min(r.size(), u + static_cast<std::size_t>(reach) + 1);
-      const float strongest = *std::max_element(r.begin() + static_cast<std::ptrdiff_t>(from),
-                                                r.begin() + static_cast<std::ptrdiff_t>(to));
+      const auto from = r.begin() + std::max(0, peak - reach);
+      const auto to = r.begin() + std::min(end - first, peak + reach + 1);
+      const float strongest = *std::max_element(from, to);
       if (response < options.min_share * static_cast<double>(strongest)) continue;
-      found.push_back({Refine(r, u), r[u]});
+      found.push_back({static_cast<float>(first + peak) + ShiftToTop(r, place), r[place]});
     }
-    PartNeighbours(r, options.width_px, &found);
+    PartNeighbours(r, first, options.width_px, &found);
   });
   return rows;
 }

@@ -28,6 +28,7 @@ struct RidgeDetectionOptions {
 // The rows first, first + step, …
 struct RowComb {
   int first = 0, step = 1;
+  bool Has(int row) const { return row >= first && (row - first) % step == 0; }
 };
 
 // Candidates of every row, by growing u. The image is smoothed over five rows, so that a dim stripe gathers

@@ -92,19 +92,24 @@ HWY_EXPORT(FindPeaks);
 RidgeResponse::RidgeResponse(std::vector<float> kernel)
     : kernel_(std::move(kernel)), pad_(kernel_.size() - 1) {}
 
-void RidgeResponse::Compute(const cv::Mat& green, int row) {
-  const auto cols = static_cast<std::size_t>(green.cols);
+void RidgeResponse::Compute(const cv::Mat& green, int row, int first, int end) {
+  const auto cols = static_cast<std::size_t>(end - first);
   padded_.resize(cols + 2 * pad_);
   response_.resize(cols);
+  // The part of the padded row that lies in the picture.
+  const int pad = static_cast<int>(pad_), from = std::max(0, first - pad),
+            to = std::min(green.cols, end + pad);
   std::array<const std::uint8_t*, 5> rows{};
   for (int k = 0; k < 5; ++k) {
-    rows[static_cast<std::size_t>(k)] = green.ptr<std::uint8_t>(std::clamp(row + k - 2, 0, green.rows - 1));
+    rows[static_cast<std::size_t>(k)] =
+        green.ptr<std::uint8_t>(std::clamp(row + k - 2, 0, green.rows - 1)) + from;
   }
-  float* inner = padded_.data() + pad_;
-  HWY_DYNAMIC_DISPATCH(SmoothRows)(rows, cols, inner);
-  std::fill(padded_.data(), inner, inner[0]);
-  std::fill(inner + cols, inner + cols + pad_, inner[cols - 1]);
-  HWY_DYNAMIC_DISPATCH(Filter)(kernel_, inner, cols, response_.data());
+  float* inner = padded_.data() + (from - first + pad);
+  float* behind = inner + (to - from);
+  HWY_DYNAMIC_DISPATCH(SmoothRows)(rows, static_cast<std::size_t>(to - from), inner);
+  std::fill(padded_.data(), inner, *inner);
+  std::fill(behind, padded_.data() + padded_.size(), *(behind - 1));
+  HWY_DYNAMIC_DISPATCH(Filter)(kernel_, padded_.data() + pad_, cols, response_.data());
 }
 
 const std::vector<int>& RidgeResponse::Peaks(float least) {

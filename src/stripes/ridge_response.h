@@ -15,15 +15,17 @@ class RidgeResponse {
   // Half of a symmetric kernel, from its middle outwards, at most 64 columns.
   explicit RidgeResponse(std::vector<float> kernel);
 
-  // Of a row of a CV_8UC1 picture of at least one row and column; rows and columns beyond its borders are
-  // as the last ones within.
-  void Compute(const cv::Mat& green, int row);
+  // Of the columns [first, end), at least one, in a row of a CV_8UC1 picture; rows and columns beyond its
+  // borders are as the last ones within.
+  void Compute(const cv::Mat& green, int row, int first, int end);
 
   const std::vector<float>& kernel() const { return kernel_; }
+  // Of the columns from the first on.
   const std::vector<float>& response() const { return response_; }
-  float Smoothed(std::size_t column) const { return padded_[column + pad_]; }
+  // The five rows alone, at a place of the response.
+  float Smoothed(std::size_t place) const { return padded_[place + pad_]; }
 
-  // Columns, none at the borders, where the response is at least `least`, more than to the left and no less
+  // Places in the response, none at its ends, where it is at least `least`, more than to the left and no less
   // than to the right.
   const std::vector<int>& Peaks(float least);
 

@@ -24,7 +24,7 @@ TEST(RidgeResponse, IsTheKernelOverFiveSmoothedRows) {
     const cv::Mat1b green = Noise(cols, 9);
     RidgeResponse response(kKernel);
     for (const int row : {0, 1, 4, 8}) {
-      response.Compute(green, row);
+      response.Compute(green, row, 0, cols);
       const auto smooth = [&](int u) {
         const int x = std::clamp(u, 0, cols - 1);
         float sum = 0.0F;
@@ -44,10 +44,25 @@ TEST(RidgeResponse, IsTheKernelOverFiveSmoothedRows) {
   }
 }
 
+TEST(RidgeResponse, APartOfARowAnswersAsInTheWholeRow) {
+  const cv::Mat1b green = Noise(100, 5);
+  RidgeResponse whole(kKernel), part(kKernel);
+  whole.Compute(green, 2, 0, 100);
+  for (const auto& [first, end] : {std::pair{0, 40}, {1, 2}, {37, 71}, {60, 100}}) {
+    part.Compute(green, 2, first, end);
+    ASSERT_EQ(part.response().size(), static_cast<std::size_t>(end - first));
+    for (int u = first; u < end; ++u) {
+      const auto place = static_cast<std::size_t>(u - first), at = static_cast<std::size_t>(u);
+      EXPECT_EQ(part.response()[place], whole.response()[at]) << u << " of " << first << " to " << end;
+      EXPECT_EQ(part.Smoothed(place), whole.Smoothed(at));
+    }
+  }
+}
+
 TEST(RidgeResponse, PeaksAreWhereItFallsToBothSides) {
   const cv::Mat1b green = Noise(203, 5);
   RidgeResponse response(kKernel);
-  response.Compute(green, 2);
+  response.Compute(green, 2, 0, green.cols);
   const std::vector<float>& r = response.response();
   std::vector<int> expected;
   for (std::size_t u = 1; u + 1 < r.size(); ++u) {
@@ -61,7 +76,7 @@ TEST(RidgeResponse, PeaksAreWhereItFallsToBothSides) {
 TEST(RidgeResponse, ItsNoiseIsWhatTheGainSays) {
   const cv::Mat1b green = Noise(4000, 5);
   RidgeResponse response(kKernel);
-  response.Compute(green, 2);
+  response.Compute(green, 2, 0, green.cols);
   double mean = 0.0, square = 0.0;
   for (const float r : response.response()) {
     mean += static_cast<double>(r) / 4000.0;

@@ -12,14 +12,12 @@
 namespace dorsum {
 namespace {
 
-constexpr int kRowStep = 8;
-
 // Variance of dark pixels from second differences along the rows, without the fifth that is largest, where
 // stripes are.
 double DarkVariance(const cv::Mat& green) {
   std::vector<int> histogram(1021, 0);
   long count = 0;
-  for (int row = kRowStep / 2; row < green.rows; row += kRowStep) {
+  for (int row = kSurveyedRows.first; row < green.rows; row += kSurveyedRows.step) {
     const auto* g = green.ptr<std::uint8_t>(row);
     for (int u = 1; u + 1 < green.cols; ++u) {
       ++histogram[static_cast<std::size_t>(std::abs(g[u - 1] - 2 * g[u] + g[u + 1]))];
@@ -42,25 +40,35 @@ double DarkVariance(const cv::Mat& green) {
 struct RowFindings {
   std::vector<float> widths;
   std::vector<NoiseSample> samples;
+  std::vector<StripePoint> points;
 };
 
 constexpr int kRowsTogether = 8;  // whose profiles are fitted together
 
+// The rows first, first + step, … before `end`.
 RowFindings SurveyRows(const cv::Mat& green, const std::vector<std::vector<RidgeCandidate>>& candidates,
                        int first, int end, int step, double width, const NoiseModel& noise,
                        const ProfileFitOptions& options) {
   std::vector<ProfileTask> tasks;
+  std::vector<int> rows;
   for (int v = first; v < end; v += step) {
     const std::vector<RidgeCandidate>& row = candidates[static_cast<std::size_t>(v)];
     for (std::size_t i = 0; i < row.size(); ++i) {
       tasks.push_back({green.ptr<std::uint8_t>(v), StartBetween(row, i, width, green.cols)});
+      rows.push_back(v);
     }
   }
   const std::vector<ProfileFit> fits = FitProfiles(tasks, noise, options);
   RowFindings out;
   for (std::size_t k = 0; k < fits.size(); ++k) {
     const ProfileFit& fit = fits[k];
-    if (!fit.ok || fit.width_held) continue;
+    if (!fit.ok) continue;
+    StripePoint point;
+    point.u = static_cast<float>(fit.u);
+    point.v = static_cast<float>(rows[k]);
+    point.sd_px = static_cast<float>(fit.sd_u);
+    out.points.push_back(point);
+    if (fit.width_held) continue;
     out.widths.push_back(static_cast<float>(fit.width));
     const int n = fit.last - fit.first + 1 - fit.clipped;
     if (n < 8) continue;
@@ -72,6 +80,9 @@ RowFindings SurveyRows(const cv::Mat& green, const std::vector<std::vector<Ridge
       out.samples.push_back({static_cast<float>(model), static_cast<float>(r * r * freedom)});
     }
   }
+  std::stable_sort(out.points.begin(), out.points.end(), [](const StripePoint& p, const StripePoint& q) {
+    return p.v < q.v || (p.v == q.v && p.u < q.u);
+  });
   return out;
 }
 
@@ -97,30 +108,31 @@ RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double wid
   // Photons: before anything is measured, a tenth of the grey value is usual.
   survey.noise = {dark, 0.1, 0.0};
   survey.width_px = width_px;
-  if (green.rows < 5) return survey;
-  constexpr RowComb kComb{.first = 2,
-                          .step = kRowStep};  // detection gathers evidence from two rows on each side
-  const int count = (green.rows - 5) / kRowStep + 1;
-  for (int pass = 0; pass < 2; ++pass) {
+  for (const int sparser : {4, 1}) {
+    const RowComb comb{kSurveyedRows.first, kSurveyedRows.step * sparser};
+    const int count = (green.rows - comb.first + comb.step - 1) / comb.step;
+    if (count <= 0) return survey;
     RidgeDetectionOptions look = detection;
     look.width_px = survey.width_px > 0.0 ? survey.width_px : 2.0;
     look.min_contrast = 8.0;
-    const auto rows = DetectRidges(green, region, survey.noise, look, context, kComb);
+    const auto rows = DetectRidges(green, region, survey.noise, look, context, comb);
     const int blocks = (count + kRowsTogether - 1) / kRowsTogether;
     std::vector<RowFindings> findings(static_cast<std::size_t>(blocks));
     ParallelFor(context, 0, blocks, [&](std::int64_t i) {
-      const int first = kComb.first + static_cast<int>(i) * kRowsTogether * kComb.step;
-      const int end = std::min(kComb.first + count * kComb.step, first + kRowsTogether * kComb.step);
+      const int first = comb.first + static_cast<int>(i) * kRowsTogether * comb.step;
+      const int end = std::min(green.rows, first + kRowsTogether * comb.step);
       findings[static_cast<std::size_t>(i)] =
-          SurveyRows(green, rows, first, end, kComb.step, look.width_px, survey.noise, fit);
+          SurveyRows(green, rows, first, end, comb.step, look.width_px, survey.noise, fit);
     });
     std::vector<float> widths;
     std::vector<NoiseSample> samples;
+    survey.points.clear();
     for (const RowFindings& f : findings) {
       widths.insert(widths.end(), f.widths.begin(), f.widths.end());
       samples.insert(samples.end(), f.samples.begin(), f.samples.end());
+      survey.points.insert(survey.points.end(), f.points.begin(), f.points.end());
     }
-    if (widths.empty()) return survey;
+    if (widths.empty()) continue;  // there may be stripes in the other rows
     if (width_px <= 0.0) survey.width_px = std::clamp(static_cast<double>(Median(widths)), 0.7, 8.0);
     survey.noise = FitNoiseModel(std::move(samples), survey.noise);
   }
