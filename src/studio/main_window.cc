@@ -24,6 +24,7 @@
 #include "studio/calibrate_page.h"
 #include "studio/device_page.h"
 #include "studio/scan_page.h"
+#include "studio/stages_page.h"
 #include "studio/surface_page.h"
 
 namespace dorsum {
@@ -74,6 +75,8 @@ void MainWindow::AddPages() {
   AddPage(tr("Surface"), tr("Look at a surface and measure it"), new SurfacePage(workbench_, stack_));
   AddPage(tr("Calibrate"), tr("Calibrate the device, or look at how well it is calibrated"),
           new CalibratePage(workbench_, stack_));
+  AddPage(tr("Stages"), tr("See each step of the computation, the document's beside ours"),
+          new StagesPage(workbench_, stack_));
   AddPage(tr("Device"), tr("Open a device, switch its lights by hand, examine it"),
           new DevicePage(workbench_, stack_));
 }
