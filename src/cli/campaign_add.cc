@@ -6,9 +6,8 @@
 #include "cli/campaign_commands.h"
 #include "cli/commands.h"
 #include "device/device.h"
-#include "device/virtual_bench.h"
+#include "jobs/campaign_capture.h"
 #include "jobs/campaign_names.h"
-#include "jobs/capture.h"
 
 namespace dorsum {
 namespace {
@@ -26,24 +25,12 @@ void RunPerson(const Arguments& a, Session* session) {
   session->Print("person " + a.person.id + "\n", {{"person", a.person.id}});
 }
 
-// Captures with the device, which is told the calibration, to know a hand from the backplane.
-CaptureMaker CaptureWith(const Arguments& a, std::vector<std::string>* warnings) {
-  return [&a, warnings](const std::filesystem::path& folder, const Context& context) -> Status {
-    CaptureRequest request;
-    request.out_dir = folder;
-    request.calibration_path = a.calibration;
-    if (a.calibration.empty()) {
-      DORSUM_ASSIGN_OR_RETURN(const auto present, PresentCalibration(a.dir));
-      request.calibration_path = present.value_or("");
-    }
-    DORSUM_ASSIGN_OR_RETURN(Device device, OpenDevice(a.device, context));
-    if (device.bench) {  // a virtual device is visited by a hand that goes by the person's id
-      DORSUM_RETURN_IF_ERROR(device.bench->PlaceNamed("hand:woman:" + a.hand + ":" + a.person.id + ":k" +
-                                                      std::to_string(a.session)));
-    }
-    DORSUM_ASSIGN_OR_RETURN(const CaptureSummary summary, CaptureToFolder(device, request, context));
-    *warnings = summary.warnings;
-    return {};
+// Opens the device only when all that can be known beforehand is in order.
+CaptureMaker CaptureWith(const std::string& device, const AddCaptureRequest& request,
+                         std::vector<std::string>* warnings) {
+  return [=](const std::filesystem::path& folder, const Context& context) -> Status {
+    DORSUM_ASSIGN_OR_RETURN(Device open, OpenDevice(device, context));
+    return CaptureWithDevice(&open, request, warnings)(folder, context);
   };
 }
 
@@ -55,8 +42,9 @@ void RunCapture(const Arguments& a, Session* session) {
   std::vector<std::string> warnings;
   AddCaptureRequest request{a.dir, a.person.id, *HandOfWord(a.hand), std::nullopt, a.calibration, source};
   if (a.session > 0) request.session = a.session;
-  const auto added = AddCapture(request, a.from.empty() ? CaptureWith(a, &warnings) : ImportCapture(a.from),
-                                session->MakeContext());
+  const auto added =
+      AddCapture(request, a.from.empty() ? CaptureWith(a.device, request, &warnings) : ImportCapture(a.from),
+                 session->MakeContext());
   if (!added.ok()) return session->Fail(added.error());
   warnings.insert(warnings.end(), added->warnings.begin(), added->warnings.end());
   session->Warn(warnings);

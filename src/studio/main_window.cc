@@ -22,6 +22,7 @@
 #include "base/version.h"
 #include "studio/banner.h"
 #include "studio/calibrate_page.h"
+#include "studio/campaign_page.h"
 #include "studio/device_page.h"
 #include "studio/scan_page.h"
 #include "studio/stages_page.h"
@@ -77,6 +78,8 @@ void MainWindow::AddPages() {
           new CalibratePage(workbench_, stack_));
   AddPage(tr("Stages"), tr("See each step of the computation, the document's beside ours"),
           new StagesPage(workbench_, stack_));
+  AddPage(tr("Campaign"), tr("Collect captures of many people, and see what is missing"),
+          new CampaignPage(workbench_, stack_));
   AddPage(tr("Device"), tr("Open a device, switch its lights by hand, examine it"),
           new DevicePage(workbench_, stack_));
 }

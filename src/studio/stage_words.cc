@@ -20,7 +20,7 @@ QString WithDifference(std::size_t now, const std::size_t* before) {
 }  // namespace
 
 QString StageTitle(const std::string& key) {
-  const QString text = QString::fromStdString(key);
+  QString text = QString::fromStdString(key);
   const QString laser = text.section('/', 1, 1);
   if (key == "mask/difference") return StagesPage::tr("Mask: difference");
   if (key == "mask/threshold") return StagesPage::tr("Mask: threshold");
