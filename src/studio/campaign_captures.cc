@@ -10,8 +10,8 @@
 
 namespace dorsum {
 
-CampaignCaptures::CampaignCaptures(CampaignThumbnails* thumbnails, QObject* parent)
-    : QAbstractListModel(parent), thumbnails_(thumbnails) {
+CampaignCaptures::CampaignCaptures(CampaignThumbnails* thumbnails, QSize size, QObject* parent)
+    : QAbstractListModel(parent), thumbnails_(thumbnails), size_(size) {
   connect(thumbnails, &CampaignThumbnails::Made, this, [this](const QString& folder) {
     for (std::size_t i = 0; i < captures_.size(); ++i) {
       if (captures_[i].Folder(dir_) != std::filesystem::path(folder.toStdString())) continue;
@@ -63,6 +63,8 @@ QVariant CampaignCaptures::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
       return Sentence(capture);
+    case Qt::SizeHintRole:
+      return size_;
     case Qt::DecorationRole: {
       const auto& pictures = capture.stored.pictures;
       const QImage picture =

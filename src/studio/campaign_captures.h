@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QSize>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -16,7 +17,8 @@ class CampaignCaptures : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  explicit CampaignCaptures(CampaignThumbnails* thumbnails, QObject* parent = nullptr);
+  // `size`: of a capture in the view, also before its picture is there.
+  CampaignCaptures(CampaignThumbnails* thumbnails, QSize size, QObject* parent = nullptr);
 
   // Of the campaign in `dir`, whose device has so many lasers.
   void Set(std::vector<CampaignCapture> captures, const std::filesystem::path& dir, std::size_t lasers);
@@ -29,6 +31,7 @@ class CampaignCaptures : public QAbstractListModel {
   QString Sentence(const CampaignCapture& capture) const;
 
   CampaignThumbnails* thumbnails_;
+  QSize size_;
   std::vector<CampaignCapture> captures_;
   std::filesystem::path dir_;
   std::size_t lasers_ = 0;

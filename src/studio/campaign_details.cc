@@ -5,8 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
-#include <QLocale>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -14,10 +12,20 @@
 
 #include "studio/campaign_dialogs.h"
 #include "studio/campaign_model.h"
+#include "studio/campaign_removal.h"
 #include "studio/campaign_table.h"
 #include "studio/fitted_picture.h"
 
 namespace dorsum {
+namespace {
+
+// Of a capture in the list: a picture and two lines below it.
+QSize CaptureSize(const QWidget& widget) {
+  const int em = widget.fontMetrics().height();
+  return {11 * em, 10 * em};
+}
+
+}  // namespace
 
 CampaignDetails::CampaignDetails(Workbench* workbench, CampaignModel* model, CampaignTable* table,
                                  CampaignThumbnails* thumbnails, QWidget* parent)
@@ -25,7 +33,7 @@ CampaignDetails::CampaignDetails(Workbench* workbench, CampaignModel* model, Cam
       workbench_(workbench),
       model_(model),
       table_(table),
-      captures_(new CampaignCaptures(thumbnails, this)),
+      captures_(new CampaignCaptures(thumbnails, CaptureSize(*this), this)),
       title_(new QLabel(this)),
       next_words_(new QLabel(this)),
       live_(new FittedPicture(tr("Live picture"), this)),
@@ -45,8 +53,8 @@ CampaignDetails::CampaignDetails(Workbench* workbench, CampaignModel* model, Cam
   list_->setUniformItemSizes(true);
   list_->setLayoutMode(QListView::Batched);  // a person may have thousands
   list_->setWordWrap(true);
-  list_->setIconSize({9 * em, 7 * em});
-  list_->setGridSize({10 * em, 9 * em + em / 2});
+  list_->setIconSize({10 * em, 7 * em});
+  list_->setSpacing(em / 4);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins({});
   column->addWidget(title_);
@@ -161,14 +169,26 @@ const CampaignCapture* CampaignDetails::Chosen() const {
 }
 
 QString CampaignDetails::NextWords() const {
-  const auto next = Next();
   if (place_.id.empty()) return {};
-  if (!next) return tr("Nothing is missing here.");
-  const QString what =
-      tr("Next: session %1, %2; %3 missing.").arg(next->session).arg(HandTitle(next->hand)).arg(next->count);
-  const bool is_virtual = Person() != nullptr && Person()->person.is_virtual;
-  if (is_virtual || workbench_->device().facts()) return what;
+  const auto next = Next();
+  QString what = next ? tr("Next: session %1, %2; %3 missing.")
+                            .arg(next->session)
+                            .arg(HandTitle(next->hand))
+                            .arg(next->count)
+                      : tr("Nothing is missing here.");
+  if (Person() != nullptr && Person()->person.is_virtual) {
+    const CampaignStatus& status = model_->view()->status;
+    const int missing = status.planned_captures - status.captures;
+    return missing > 0 ? what + ' ' + tr("%n capture(s) are missing in all.", nullptr, missing) : what;
+  }
+  if (!next || workbench_->device().facts()) return what;
   return what + ' ' + tr("No device is open; open one on the Device page.");
+}
+
+// Virtual people come all, whoever is chosen.
+bool CampaignDetails::AnyVirtualMissing() const {
+  const CampaignStatus& status = model_->view()->status;
+  return status.captures < status.planned_captures;
 }
 
 void CampaignDetails::Refresh() {
@@ -179,7 +199,7 @@ void CampaignDetails::Refresh() {
   next_->setText(is_virtual ? tr("&Make all that is missing")
                  : next     ? tr("Capture the %1").arg(HandTitle(next->hand))
                             : tr("Capture"));
-  next_->setEnabled(idle && next && (is_virtual || workbench_->device().facts()));
+  next_->setEnabled(idle && (is_virtual ? AnyVirtualMissing() : next && workbench_->device().facts()));
   import_->setEnabled(idle && next && !is_virtual);
   look_->setEnabled(idle && Chosen() != nullptr);
   remove_capture_->setEnabled(idle && Chosen() != nullptr);
@@ -199,46 +219,18 @@ void CampaignDetails::Import() {
   if (!folder.isEmpty()) model_->Import(*next, folder.toStdString());
 }
 
-bool CampaignDetails::AskToRemove(const QString& what, const QString& lost) {
-  QMessageBox box(QMessageBox::Warning, tr("Remove"), what, QMessageBox::Cancel, this);
-  box.setInformativeText(lost);
-  box.setObjectName("askToRemove");
-  QPushButton* remove = box.addButton(tr("&Remove"), QMessageBox::DestructiveRole);
-  remove->setObjectName("remove");
-  box.setDefaultButton(QMessageBox::Cancel);
-  box.exec();
-  return box.clickedButton() == remove;
-}
-
 void CampaignDetails::RemoveCapture() {
   const CampaignCapture* chosen = Chosen();
   if (chosen == nullptr) return;
   const CampaignCapture capture = *chosen;  // the list may change while it is asked
-  const QString what = tr("Remove %1, session %2, %3, capture %4?")
-                           .arg(QString::fromStdString(capture.id))
-                           .arg(capture.session)
-                           .arg(HandTitle(capture.stored.hand))
-                           .arg(capture.stored.number);
-  if (AskToRemove(
-          what, tr("Its %n picture(s) are deleted for good. The next capture of this hand takes its number.",
-                   nullptr, static_cast<int>(capture.stored.pictures.size()))))
-    model_->RemoveCapture(capture);
+  if (AskToRemoveCapture(capture, this)) model_->RemoveCapture(capture);
 }
 
 void CampaignDetails::RemovePerson() {
   const CampaignPersonView* person = Person();
   if (person == nullptr) return;
   const std::string id = person->person.id;
-  std::uint64_t bytes = 0;
-  for (const CampaignCapture& c : table_->CapturesAt(table_->IndexOf({id, 0, std::nullopt}))) {
-    for (const StoredPicture& picture : c.stored.pictures) bytes += picture.bytes;
-  }
-  const QString lost =
-      tr("%n capture(s) are deleted for good", nullptr, person->captures) + " (" +
-      QLocale().formattedDataSize(static_cast<qint64>(bytes)) + "). " +
-      tr("The id and what was said of the person go too. Exports, surfaces and backups are not "
-         "reached.");
-  if (AskToRemove(tr("Remove %1 from the campaign?").arg(QString::fromStdString(id)), lost))
+  if (AskToRemovePerson(id, table_->CapturesAt(table_->IndexOf({id, 0, std::nullopt})), this))
     model_->Remove(id);
 }
 

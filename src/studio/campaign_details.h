@@ -32,17 +32,17 @@ class CampaignDetails : public QWidget {
  private:
   QWidget* MakePersonButtons();
   QWidget* MakeCaptureButtons();
-  QPushButton* Button(const QString& text, const char* name, const QString& help, QWidget* parent);
+  static QPushButton* Button(const QString& text, const char* name, const QString& help, QWidget* parent);
   std::optional<MissingCaptures> Next() const;
   const CampaignPersonView* Person() const;
   const CampaignCapture* Chosen() const;  // of the captures
   QString NextWords() const;
+  bool AnyVirtualMissing() const;
   void DoNext();
   void Import();
   void RemoveCapture();
   void RemovePerson();
   void Correct();
-  bool AskToRemove(const QString& what, const QString& lost);
   void ShowLive();
 
   Workbench* workbench_;

@@ -94,7 +94,7 @@ NewCampaignDialog::NewCampaignDialog(const fs::path& calibration, QWidget* paren
 }
 
 QString NewCampaignDialog::FindProblem() const {
-  const QString folder = ProblemOfNewFolder(parent_->text(), name_->text());
+  QString folder = ProblemOfNewFolder(parent_->text(), name_->text());
   if (!folder.isEmpty()) return folder;
   const Status name = CheckCampaignName(name_->text().trimmed().toStdString());
   if (!name.ok()) return QString::fromStdString(name.error().message);
@@ -138,6 +138,7 @@ PersonDialog::PersonDialog(const std::optional<CampaignPerson>& known, QStringLi
       id_(new QLineEdit(this)),
       sex_(new QComboBox(this)),
       age_(new QComboBox(this)),
+      signed_(new QCheckBox(tr("The person has signed it"), this)),
       consent_(new QDateEdit(QDate::currentDate(), this)) {
   AddField(
       tr("&Id:"), id_, "id",
@@ -148,9 +149,10 @@ PersonDialog::PersonDialog(const std::optional<CampaignPerson>& known, QStringLi
     age_->addItem(AgeTitle(word), QString::fromStdString(word));
   AddField(tr("&Sex:"), sex_, "sex", tr("As the person says"));
   AddField(tr("A&ge group:"), age_, "age", tr("In years"));
+  AddField(tr("C&onsent:"), signed_, "signed", tr("Without the consent nothing is stored"));
   consent_->setDisplayFormat("yyyy-MM-dd");
   consent_->setCalendarPopup(true);
-  AddField(tr("&Consent given on:"), consent_, "consent",
+  AddField(tr("Signed o&n:"), consent_, "consent",
            tr("The day on which the person signed the consent. Without it nothing is stored."));
   const CampaignPerson start = known.value_or(CampaignPerson{"", "not-said", "not-said", "", false});
   id_->setText(QString::fromStdString(start.id));
@@ -158,10 +160,13 @@ PersonDialog::PersonDialog(const std::optional<CampaignPerson>& known, QStringLi
   sex_->setCurrentIndex(sex_->findData(QString::fromStdString(start.sex)));
   age_->setCurrentIndex(age_->findData(QString::fromStdString(start.age_group)));
   is_virtual_ = start.is_virtual;
-  consent_->setEnabled(!is_virtual_);
+  signed_->setChecked(known && !is_virtual_);
+  for (QWidget* widget : {static_cast<QWidget*>(signed_), static_cast<QWidget*>(consent_)})
+    widget->setEnabled(!is_virtual_);
   if (!start.consent_date.empty())
     consent_->setDate(QDate::fromString(QString::fromStdString(start.consent_date), Qt::ISODate));
   connect(id_, &QLineEdit::textChanged, this, &PersonDialog::Check);
+  connect(signed_, &QCheckBox::toggled, this, &PersonDialog::Check);
   connect(consent_, &QDateEdit::dateChanged, this, &PersonDialog::Check);
   Check();
 }
@@ -180,6 +185,7 @@ QString PersonDialog::FindProblem() const {
   if (!id_->isReadOnly() && taken_.contains(QString::fromStdString(answers.id), Qt::CaseInsensitive))
     return tr("%1 is in the campaign already; choose another id.").arg(id_->text().trimmed());
   if (is_virtual_) return {};
+  if (!signed_->isChecked()) return tr("Nothing is stored of a person who has not signed the consent.");
   const Status date = CheckConsentDate(answers.consent_date, Today());
   return date.ok() ? QString() : QString::fromStdString(date.error().message);
 }

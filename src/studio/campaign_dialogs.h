@@ -57,6 +57,7 @@ class PersonDialog : public FormDialog {
   bool is_virtual_ = false;
   QLineEdit* id_;
   QComboBox *sex_, *age_;
+  QCheckBox* signed_;
   QDateEdit* consent_;
 };
 

@@ -26,7 +26,7 @@ constexpr int kThumbnailSide_px = 240;
 // The campaign's folder, if the first thing that is dragged is one.
 std::filesystem::path CampaignIn(const QMimeData* data) {
   for (const QUrl& url : data->urls()) {
-    const std::filesystem::path path = url.toLocalFile().toStdString();
+    std::filesystem::path path = url.toLocalFile().toStdString();
     std::error_code ec;
     if (url.isLocalFile() && std::filesystem::exists(path / kCampaignJson, ec)) return path;
     break;
@@ -34,13 +34,12 @@ std::filesystem::path CampaignIn(const QMimeData* data) {
   return {};
 }
 
-QString SummaryOf(const CampaignView& view, const std::filesystem::path& dir) {
+QString SummaryOf(const CampaignView& view) {
   const CampaignStatus& s = view.status;
   const QString people = s.campaign.plan.people > 0
                              ? CampaignPage::tr("%1 of %2 people").arg(s.people).arg(s.campaign.plan.people)
                              : CampaignPage::tr("%n person(s)", nullptr, s.people);
-  return "<b>" + QString::fromStdString(s.campaign.name).toHtmlEscaped() + "</b> (" +
-         QString::fromStdString(dir.string()).toHtmlEscaped() + ")<br>" +
+  return "<b>" + QString::fromStdString(s.campaign.name).toHtmlEscaped() + "</b><br>" +
          CampaignPage::tr("%1 are there, %2 of them with all captures; %3 of %4 captures.")
              .arg(people)
              .arg(s.complete)
@@ -212,7 +211,8 @@ void CampaignPage::ShowView() {
   if (!view) return Refresh();
   const CampaignPlace place = place_;  // resetting the table forgets it
   table_->SetView(view, model_.dir());
-  summary_->setText(SummaryOf(*view, model_.dir()));
+  summary_->setText(SummaryOf(*view));
+  summary_->setToolTip(QString::fromStdString(model_.dir().string()));
   const std::optional<MissingCaptures> next = NextMissing(*view, {place.id, 0, std::nullopt});
   const CampaignPersonView* person = nullptr;
   for (const CampaignPersonView& p : view->people) {
@@ -239,7 +239,8 @@ void CampaignPage::ShowView() {
 void CampaignPage::Refresh() {
   const bool idle = !model_.busy() && model_.view();
   for (QPushButton* button : {verify_, export_}) button->setEnabled(idle);
-  people_->SetAddingPossible(idle);
+  // Real people and virtual ones do not mix.
+  people_->SetAddingPossible(idle && !model_.view()->status.campaign.virtual_people);
   details_->Refresh();
 }
 

@@ -37,7 +37,7 @@ class CampaignPage : public Page {
  private:
   QWidget* MakeEmpty();
   QWidget* MakeHeader();
-  QPushButton* Button(const QString& text, const char* name, const QString& help, QWidget* parent);
+  static QPushButton* Button(const QString& text, const char* name, const QString& help, QWidget* parent);
   void Open();
   void New();
   void AddPerson();

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "studio/campaign_filter.h"
 #include "studio/campaign_table.h"
@@ -52,6 +54,7 @@ CampaignPeople::CampaignPeople(CampaignTable* table, QWidget* parent)
   view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // so that no row needs to be measured
   view_->verticalHeader()->setDefaultSectionSize(3 * em + em / 2);
   view_->horizontalHeader()->setDefaultSectionSize(8 * em);
+  KeepColumns();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins({});
   column->addLayout(row);
@@ -62,6 +65,22 @@ CampaignPeople::CampaignPeople(CampaignTable* table, QWidget* parent)
   connect(add_, &QPushButton::clicked, this, &CampaignPeople::AddWanted);
   connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) { emit Chosen(filter_->mapToSource(now)); });
+}
+
+// A campaign is read anew after each change; what the person made of the columns stays.
+void CampaignPeople::KeepColumns() {
+  connect(filter_, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+    if (filter_->columnCount() > 0) columns_ = view_->horizontalHeader()->saveState();
+  });
+  connect(filter_, &QAbstractItemModel::modelReset, this, [this] {
+    QHeaderView* header = view_->horizontalHeader();
+    const QByteArray before = std::exchange(columns_, {});
+    const int em = fontMetrics().height();
+    for (int column = 0; column < std::min(header->count(), CampaignTable::kPersonColumns); ++column)
+      header->resizeSection(column, 5 * em + em / 2);
+    if (!before.isEmpty() && header->count() == shown_columns_) header->restoreState(before);
+    shown_columns_ = header->count();
+  });
 }
 
 void CampaignPeople::Choose(const CampaignPlace& place) {

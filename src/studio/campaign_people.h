@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QByteArray>
 #include <QWidget>
 
 #include "studio/campaign_view.h"
@@ -34,6 +35,7 @@ class CampaignPeople : public QWidget {
   void NothingMissing();  // the next gap was asked for, and there is none
 
  private:
+  void KeepColumns();
   void ShowNextGap();
 
   CampaignTable* table_;
@@ -42,6 +44,8 @@ class CampaignPeople : public QWidget {
   QLineEdit* search_;
   QCheckBox* only_missing_;
   QPushButton* add_;
+  QByteArray columns_;     // the header's state
+  int shown_columns_ = 0;  // whose state it is
 };
 
 }  // namespace dorsum

@@ -121,7 +121,7 @@ QVariant CampaignTable::data(const QModelIndex& index, int role) const {
   return PersonData(view_->people[static_cast<std::size_t>(index.row())], index.column(), role);
 }
 
-QVariant CampaignTable::PersonData(const CampaignPersonView& person, int column, int role) const {
+QVariant CampaignTable::PersonData(const CampaignPersonView& person, int column, int role) {
   if (role == kMissingRole) return person.missing;
   if (role == Qt::DisplayRole || role == kSortRole) {
     if (column == 0) return QString::fromStdString(person.person.id);

@@ -49,7 +49,7 @@ class CampaignTable : public QAbstractTableModel {
     CampaignHand hand = CampaignHand::kLeft;
   };
   const CampaignHandView* Cell(const QModelIndex& index) const;
-  QVariant PersonData(const CampaignPersonView& person, int column, int role) const;
+  static QVariant PersonData(const CampaignPersonView& person, int column, int role);
   QVariant CellData(const QModelIndex& index, int role) const;
   QVariant Picture(const QModelIndex& index) const;
 
