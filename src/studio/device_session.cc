@@ -4,6 +4,7 @@
 #include <QMetaObject>
 
 #include "device/device_error.h"
+#include "studio/progress_gate.h"
 
 namespace dorsum {
 namespace {
@@ -133,7 +134,8 @@ void DeviceSession::DoTask(const QString& title, const Task& task) {
   Tell([this, title] { emit TaskStarted(title); });
   Context context;
   context.cancel = &cancel_;
-  context.progress = [this](std::string_view stage, double fraction) {
+  context.progress = [this, gate = ProgressGate()](std::string_view stage, double fraction) mutable {
+    if (!gate.Passes(stage)) return;
     const QString name = QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));
     Tell([this, name, fraction] { emit Progressed(name, fraction); });
   };

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <opencv2/imgproc.hpp>
+
 namespace dorsum {
 
 FittedPicture::FittedPicture(const QString& name, QWidget* parent) : QWidget(parent) {
@@ -21,13 +23,26 @@ QImage FittedPicture::ImageOf(const cv::Mat& picture) {
       .copy();
 }
 
+QImage FittedPicture::Scaled(const QImage& image, const QSize& size) {
+  if (image.isNull() || size.isEmpty()) return {};
+  const QImage bgr = image.convertToFormat(QImage::Format_BGR888);
+  const cv::Mat from(bgr.height(), bgr.width(), CV_8UC3, const_cast<uchar*>(bgr.constBits()),
+                     static_cast<std::size_t>(bgr.bytesPerLine()));
+  QImage scaled(size, QImage::Format_BGR888);
+  cv::Mat to(size.height(), size.width(), CV_8UC3, scaled.bits(),
+             static_cast<std::size_t>(scaled.bytesPerLine()));
+  cv::resize(from, to, to.size(), 0, 0, size.width() < image.width() ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return scaled.convertToFormat(QImage::Format_RGB32);  // what painters copy without a look at each pixel
+}
+
 void FittedPicture::Show(QImage image) {
   image_ = std::move(image);
+  drawn_ = {};
   update();
 }
 
 void FittedPicture::Clear(const QString& words) {
-  image_ = {};
+  image_ = drawn_ = {};
   words_ = words;
   update();
 }
@@ -50,8 +65,9 @@ void FittedPicture::paintEvent(QPaintEvent* /*event*/) {
   }
   const QSizeF size = QSizeF(image_.size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
   const QRectF place(QPointF((width() - size.width()) / 2.0, (height() - size.height()) / 2.0), size);
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(place, image_);
+  const QSize pixels = (size * devicePixelRatioF()).toSize();
+  if (drawn_.size() != pixels) drawn_ = Scaled(image_, pixels);
+  painter.drawImage(place, drawn_);
   PaintOver(&painter, place);
 }
 

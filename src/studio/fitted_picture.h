@@ -20,6 +20,8 @@ class FittedPicture : public QWidget {
 
   // Copies the pixels of an 8-bit picture, BGR or grey.
   static QImage ImageOf(const cv::Mat& picture);
+  // The picture in exactly this size, ready to be painted: several times as fast as a painter scales it.
+  static QImage Scaled(const QImage& image, const QSize& size);
 
   void Show(QImage image);
   void Clear(const QString& words);
@@ -35,6 +37,7 @@ class FittedPicture : public QWidget {
 
  private:
   QImage image_;
+  QImage drawn_;  // as it was painted last; null when it has changed since
   QString words_;
 };
 

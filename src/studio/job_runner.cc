@@ -5,6 +5,8 @@
 #include <exception>
 #include <stdexcept>
 
+#include "studio/progress_gate.h"
+
 namespace dorsum {
 
 JobRunner::~JobRunner() {
@@ -21,7 +23,8 @@ void JobRunner::Start(const QString& title, std::function<Report(const Context&)
   thread_ = std::thread([this, work = std::move(work)] {
     Context context;
     context.cancel = &cancel_;
-    context.progress = [this](std::string_view stage, double fraction) {
+    context.progress = [this, gate = ProgressGate()](std::string_view stage, double fraction) mutable {
+      if (!gate.Passes(stage)) return;
       const QString name = QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));
       QMetaObject::invokeMethod(
           this, [this, name, fraction] { emit Progressed(name, fraction); }, Qt::QueuedConnection);

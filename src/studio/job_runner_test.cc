@@ -53,6 +53,22 @@ TEST(JobRunner, AJobThatRunsCanBeCancelledAndAnotherRun) {
   }
 }
 
+TEST(JobRunner, AJobThatReportsAllTheTimeDoesNotKeepTheWindowBusy) {
+  JobRunner runner;
+  QSignalSpy finished(&runner, &JobRunner::Finished), progressed(&runner, &JobRunner::Progressed);
+  runner.Run<bool>(
+      "chatter",
+      [](const Context& context) -> Result<bool> {
+        for (int i = 0; i < 100000; ++i) context.Report("talking", 1e-5 * i);
+        context.Report("silent", 1.0);
+        return true;
+      },
+      [](const Result<bool>&) {});
+  ASSERT_TRUE(finished.wait(kLong_ms));
+  EXPECT_LT(progressed.count(), 10000);
+  EXPECT_EQ(progressed.back().front().toString(), "silent");
+}
+
 TEST(JobRunner, OneJobAtATime) {
   JobRunner runner;
   const auto endless = [](const Context& context) -> Result<int> {

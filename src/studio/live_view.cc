@@ -5,6 +5,8 @@
 #include <QPainterPath>
 #include <algorithm>
 
+#include "studio/fitted_picture.h"
+
 namespace dorsum {
 
 LiveView::LiveView(QWidget* parent) : QWidget(parent) {
@@ -26,10 +28,13 @@ void LiveView::paintEvent(QPaintEvent* /*event*/) {
   const QImage image(bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step), QImage::Format_BGR888);
   const double scale =
       std::min(static_cast<double>(width()) / bgr.cols, static_cast<double>(height()) / bgr.rows);
-  painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
-  painter.translate((width() - scale * bgr.cols) / 2.0, (height() - scale * bgr.rows) / 2.0);
+  const QSizeF size(scale * bgr.cols, scale * bgr.rows);
+  const QPointF corner((width() - size.width()) / 2.0, (height() - size.height()) / 2.0);
+  painter.drawImage(QRectF(corner, size),
+                    FittedPicture::Scaled(image, (size * devicePixelRatioF()).toSize()));
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(corner);
   painter.scale(scale, scale);
-  painter.drawImage(0, 0, image);
   // Pixels' centres lie at whole numbers in outlines, their corners in what is painted.
   painter.translate(0.5, 0.5);
   const bool good = view_.advice == Advice::kGood;
