@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Error CannotWrite(const fs::path& path, const std::string& why) {
-  return BadInput("cannot write " + path.string() + ": " + why + "; choose a folder that you may write to");
+  return BadInput("cannot write " + path.string() + ": " + why +
+                  "; choose a folder that you may write to and that has room");
 }
 
 std::string ErrnoText() { return std::strerror(errno); }

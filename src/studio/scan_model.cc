@@ -52,7 +52,8 @@ QString ScanModel::Sentence() const {
     case ScanState::kLost:
       return tr("The device does not answer: look at its cables");
     case ScanState::kNoCalibration:
-      return tr("This device needs its calibration first");
+      return workbench_->calibration() ? tr("The calibration is of another device")
+                                       : tr("This device needs its calibration first");
     case ScanState::kCalibrating:
       return tr("The virtual device calibrates itself");
     case ScanState::kCapturing:
@@ -104,7 +105,8 @@ bool ScanModel::CalibrationFits() const {
   const auto& ready = workbench_->calibration();
   if (!facts || !ready) return false;
   const CameraDesign& camera = facts->description.camera;
-  return ready->background.size() == cv::Size(camera.width, camera.height);
+  return ready->background.size() == cv::Size(camera.width, camera.height) &&
+         ready->calibration.device.lasers.size() == facts->description.lasers.size();
 }
 
 void ScanModel::Go(ScanState state) {
