@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <csignal>
 #include <cstdlib>
 #include <string>
@@ -60,6 +61,8 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setOrganizationName("Dorsum");
     QApplication::setApplicationName("dorsum-studio-test");
+    QTemporaryDir settings;  // not those of a person, nor of a test that runs beside this one
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     failed = RUN_ALL_TESTS();
   }
   if (display > 0) {

@@ -58,6 +58,7 @@ DevicePage::DevicePage(Workbench* workbench, QWidget* parent)
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFixedWidth(fontMetrics().averageCharWidth() * 52);
   auto* right = new QSplitter(Qt::Vertical, this);
+  right->setObjectName("deviceSplit");
   right->addWidget(picture_);
   right->addWidget(MakeTables());
   right->setStretchFactor(0, 3);

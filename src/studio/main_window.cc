@@ -14,10 +14,12 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/version.h"
 #include "studio/banner.h"
@@ -177,11 +179,20 @@ void MainWindow::Remember() {
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/page", list_->currentRow());
+  for (const QSplitter* split : stack_->findChildren<QSplitter*>()) {
+    if (!split->objectName().isEmpty())
+      settings.setValue("window/" + split->objectName(), split->saveState());
+  }
 }
 
 void MainWindow::Restore() {
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
+  for (QSplitter* split : stack_->findChildren<QSplitter*>()) {
+    if (split->objectName().isEmpty()) continue;
+    const QByteArray state = settings.value("window/" + split->objectName()).toByteArray();
+    if (!state.isEmpty()) split->restoreState(state);
+  }
   const int row = settings.value("window/page", 0).toInt();
   if (list_->count() > 0) list_->setCurrentRow(row >= 0 && row < list_->count() ? row : 0);
 }

@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
 #include <QSplitter>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
@@ -25,6 +26,8 @@ namespace {
 
 constexpr double kSectionReach_mm = 0.5;  // of points beside the plane, where there is no mesh
 constexpr double kDot_mm = 0.25;          // between the dots of a line
+constexpr const char* kShowKey = "surface/show";
+constexpr const char* kColoursKey = "surface/colours";
 
 template <class T>
 T* Named(T* widget, const char* object, const QString& name, const QString& help) {
@@ -41,9 +44,19 @@ void AppendLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::vector<
 
 QPointF ToQPoint(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
 
-void Enable(QComboBox* box, int value, bool enabled) {
+QStandardItem* ItemOf(const QComboBox* box, int value) {
   const auto* model = qobject_cast<QStandardItemModel*>(box->model());
-  if (model != nullptr) model->item(box->findData(value))->setEnabled(enabled);
+  return model == nullptr ? nullptr : model->item(box->findData(value));
+}
+
+void Enable(QComboBox* box, int value, bool enabled) {
+  if (QStandardItem* item = ItemOf(box, value)) item->setEnabled(enabled);
+}
+
+// What is wished for where that is possible, else `other`.
+void Settle(QComboBox* box, int wished, int other) {
+  const QStandardItem* item = ItemOf(box, wished);
+  box->setCurrentIndex(box->findData(item != nullptr && item->isEnabled() ? wished : other));
 }
 
 }  // namespace
@@ -125,6 +138,7 @@ QWidget* SurfacePage::MakeImageSide() {
   column->addLayout(row);
   column->addWidget(image_, 1);
   auto* side = new QSplitter(Qt::Vertical, this);
+  side->setObjectName("surfaceSide");
   side->setChildrenCollapsible(false);
   side->addWidget(top);
   side->addWidget(plot_);
@@ -154,6 +168,7 @@ QWidget* SurfacePage::MakeControls() {
     row->addWidget(label);
     row->addWidget(box);
   }
+  RememberChoices();
   AddModes(row);
   row->addStretch(1);
   Named(compare_, "compare", tr("Compare with another surface"),
@@ -182,6 +197,24 @@ QWidget* SurfacePage::MakeControls() {
     if (dialog.exec() == QDialog::Accepted) ExportTo(dialog.selectedFiles().front().toStdString());
   });
   return controls;
+}
+
+// What a person chooses here is chosen the next time too, as far as the surface then has it. A difference is
+// to one other surface, and is not.
+void SurfacePage::RememberChoices() {
+  const QSettings settings;
+  wished_show_ = settings.value(kShowKey, static_cast<int>(Shown::kMesh)).toInt();
+  wished_colours_ = settings.value(kColoursKey, static_cast<int>(ColourBy::kHeight)).toInt();
+  connect(show_, &QComboBox::activated, this, [this] {
+    wished_show_ = show_->currentData().toInt();
+    QSettings().setValue(kShowKey, wished_show_);
+  });
+  connect(colours_, &QComboBox::activated, this, [this] {
+    wished_colours_ = colours_->currentData().toInt();
+    if (wished_colours_ != static_cast<int>(ColourBy::kDifference)) {
+      QSettings().setValue(kColoursKey, wished_colours_);
+    }
+  });
 }
 
 void SurfacePage::AddModes(QHBoxLayout* row) {
@@ -228,15 +261,14 @@ void SurfacePage::ScanChanged() {
   compare_->setEnabled(mesh || points);
   for (const ColourBy by : {ColourBy::kOrder, ColourBy::kLaser, ColourBy::kUncertainty}) {
     Enable(colours_, static_cast<int>(by), points);
-    if (!points && colours_->currentData().toInt() == static_cast<int>(by)) colours_->setCurrentIndex(0);
   }
   Enable(colours_, static_cast<int>(ColourBy::kDifference), other_ != nullptr);
+  Settle(colours_, wished_colours_, static_cast<int>(ColourBy::kHeight));
   for (const Shown what : {Shown::kMesh, Shown::kPoints, Shown::kBoth}) {
     Enable(show_, static_cast<int>(what),
            (mesh || what == Shown::kPoints) && (points || what == Shown::kMesh));
   }
-  if (mesh != points)
-    show_->setCurrentIndex(show_->findData(static_cast<int>(mesh ? Shown::kMesh : Shown::kPoints)));
+  Settle(show_, wished_show_, static_cast<int>(mesh || !points ? Shown::kMesh : Shown::kPoints));
   view_->SetShown(shown());
   {
     const QSignalBlocker quiet(images_);
@@ -504,7 +536,8 @@ void SurfacePage::CompareWith(const std::filesystem::path& path) {
         if (!other.ok()) return workbench()->Fail(other.error());
         other_ = *other;
         other_name_ = QString::fromStdString(path.filename().string());
-        const int difference = colours_->findData(static_cast<int>(ColourBy::kDifference));
+        wished_colours_ = static_cast<int>(ColourBy::kDifference);
+        const int difference = colours_->findData(wished_colours_);
         colours_->setItemText(difference, tr("Difference to %1").arg(other_name_));
         Enable(colours_, static_cast<int>(ColourBy::kDifference), true);
         if (colours_->currentIndex() == difference) return Rebuild();

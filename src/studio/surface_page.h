@@ -50,6 +50,7 @@ class SurfacePage : public Page {
   QWidget* MakeControls();
   QWidget* MakeImageSide();
   void AddModes(QHBoxLayout* row);
+  void RememberChoices();
   void ScanChanged();
   void Rebuild();
   void Built(std::shared_ptr<const SceneBuffers> buffers);
@@ -73,6 +74,8 @@ class SurfacePage : public Page {
   JobRunner building_, measuring_;
   bool build_again_ = false, measure_again_ = false, frame_ = true;
   std::shared_ptr<const SceneBuffers> buffers_;
+
+  int wished_show_ = 0, wished_colours_ = 0;  // as the person chose last; not every surface has them
 
   Mode mode_ = Mode::kPick;
   std::vector<Picked> places_;                // one, or two of a measure
