@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "studio/language.h"
+
 namespace {
 
 // Xvfb on a display of its own choice; 0 where it cannot be started.
@@ -63,6 +65,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("dorsum-studio-test");
     QTemporaryDir settings;  // not those of a person, nor of a test that runs beside this one
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    dorsum::SpeakLanguage(&application, "en");
     failed = RUN_ALL_TESTS();
   }
   if (display > 0) {

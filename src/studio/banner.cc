@@ -7,6 +7,8 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "studio/library_words.h"
+
 namespace dorsum {
 
 Banner::Banner(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
@@ -33,7 +35,7 @@ Banner::Banner(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
 }
 
 void Banner::Show(const Error& error) {
-  QString sentence = QString::fromStdString(error.message);
+  QString sentence = InOwnWords(error.message);
   if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
   if (!sentence.endsWith('.')) sentence += '.';
   text_->setText(sentence);

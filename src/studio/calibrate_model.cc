@@ -11,6 +11,7 @@
 #include "captures/image_file.h"
 #include "captures/names.h"
 #include "jobs/live_series.h"
+#include "studio/library_words.h"
 
 namespace dorsum {
 namespace {
@@ -66,7 +67,7 @@ CalibrateModel::~CalibrateModel() {
 
 void CalibrateModel::UseDefaultPlaces() {
   const auto& facts = workbench_->device().facts();
-  QString name = facts ? QString::fromStdString(facts->description.name) : tr("device");
+  QString name = facts ? QString::fromStdString(facts->description.name) : QString("device");
   name.replace('/', '-');
   const QDir home(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Dorsum/" + name);
   folder_ = home.filePath("calibration").toStdString();
@@ -168,13 +169,13 @@ void CalibrateModel::Hear(const SeriesNews& news) {
   }
   StepRow* row = news.kind == Kind::kTold ? nullptr : Row(news.step);
   if (news.kind == Kind::kAsked) {
-    words_ = QString::fromStdString(news.words);
+    words_ = InOwnWords(news.words);
     waiting_ = true;
     if (row != nullptr) row->state = State::kNow;
   } else if (news.kind == Kind::kGoing) {
     waiting_ = false;
   } else if (news.kind == Kind::kTold) {
-    seen_ = QString::fromStdString(news.words);
+    seen_ = InOwnWords(news.words);
   } else if (row != nullptr) {
     row->state = State::kDone;
   }

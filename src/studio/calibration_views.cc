@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "studio/fitted_picture.h"
+#include "studio/library_words.h"
 
 namespace dorsum {
 namespace {
@@ -105,20 +106,20 @@ void CalibrationViews::ShowParts(const std::vector<PartReport>& parts,
                                  const std::vector<std::string>& warnings) {
   parts_->clear();
   for (const std::string& warning : warnings) {
-    auto* item = new QTreeWidgetItem(parts_, {tr("Warning"), QString::fromStdString(warning)});
+    auto* item = new QTreeWidgetItem(parts_, {tr("Warning"), ClausesInOwnWords(warning)});
     item->setIcon(0, style()->standardIcon(QStyle::SP_MessageBoxWarning));
   }
   for (const PartReport& part : parts) {
     const QString grade = part.grade == Grade::kGood       ? tr("good")
                           : part.grade == Grade::kDoubtful ? tr("doubtful")
                                                            : tr("bad");
-    auto* item = new QTreeWidgetItem(parts_, {QString::fromStdString(part.part),
-                                              tr("%1: %2").arg(grade, QString::fromStdString(part.verdict))});
+    auto* item = new QTreeWidgetItem(
+        parts_, {InOwnWords(part.part), tr("%1: %2").arg(grade, ClausesInOwnWords(part.verdict))});
     item->setIcon(0, style()->standardIcon(SignOf(part.grade)));
     item->setToolTip(1, item->text(1));
     for (const Figure& figure : part.figures) {
-      new QTreeWidgetItem(item, {QString::fromStdString(figure.name),
-                                 Value(figure.value) + " " + QString::fromStdString(figure.unit)});
+      new QTreeWidgetItem(
+          item, {InOwnWords(figure.name), Value(figure.value) + " " + QString::fromStdString(figure.unit)});
     }
     item->setExpanded(part.grade != Grade::kGood);
   }
@@ -133,9 +134,8 @@ void CalibrationViews::ShowChanges() {
   }
   for (const FigureChange& c : outcome_->changes) {
     const QString change = c.before && c.after ? QString::number(*c.after - *c.before, 'g', 3) : QString("–");
-    auto* item = new QTreeWidgetItem(
-        changes_, {QString::fromStdString(c.part), QString::fromStdString(c.figure), Value(c.before),
-                   Value(c.after), change, QString::fromStdString(c.unit)});
+    auto* item = new QTreeWidgetItem(changes_, {InOwnWords(c.part), InOwnWords(c.figure), Value(c.before),
+                                                Value(c.after), change, QString::fromStdString(c.unit)});
     for (int column = 2; column < 5; ++column) item->setTextAlignment(column, Qt::AlignRight);
   }
   for (int column = 0; column < 6; ++column) changes_->resizeColumnToContents(column);

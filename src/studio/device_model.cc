@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <map>
 
+#include "studio/library_words.h"
+
 namespace dorsum {
 namespace {
 
@@ -180,6 +182,7 @@ QString DeviceModel::SafetyWords() const {
 }
 
 QString DeviceModel::LitWords() const {
+  if (!workbench_->device().facts()) return {};
   QStringList names;
   ChannelSet known;
   for (const LightSwitch& one : switches_) {
@@ -199,7 +202,7 @@ std::vector<CameraSetting> DeviceModel::CameraSettings() const {
   const CameraDesign& c = facts->description.camera;
   const bool exposure = c.laser_exposure_s > 0.0 || c.led_exposure_s > 0.0;
   std::vector<CameraSetting> rows = {
-      {tr("Camera"), QString::fromStdString(facts->camera)},
+      {tr("Camera"), InOwnWords(facts->camera)},
       {tr("Resolution"), tr("%1 × %2 pixels").arg(c.width).arg(c.height)},
       {tr("Files"), c.format == "png" ? tr("PNG") : tr("JPEG, quality %1").arg(c.jpeg_quality)},
       {tr("Stream"), c.stream_format == "raw" ? tr("raw pictures") : tr("JPEG pictures")},

@@ -16,6 +16,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "studio/library_words.h"
+
 namespace dorsum {
 namespace {
 
@@ -74,7 +76,7 @@ DevicePage::DevicePage(Workbench* workbench, QWidget* parent)
     if (entered_) picture_->Show(FittedPicture::ImageOf(picture));
   });
   connect(&workbench->device(), &DeviceSession::Failed, this, [this](const Error& error) {
-    picture_->Clear(tr("No picture: %1").arg(QString::fromStdString(error.message)));
+    picture_->Clear(tr("No picture: %1").arg(InOwnWords(error.message)));
     if (this->workbench()->device().facts())
       state_->setText(tr("The device does not answer. Open it again."));
   });
@@ -190,9 +192,8 @@ void DevicePage::ShowDevice() {
   close_->setEnabled(facts.has_value());
   if (facts) {
     state_->setText(tr("Open: %1. %2; %3, firmware %4.")
-                        .arg(QString::fromStdString(facts->description.name),
-                             QString::fromStdString(facts->camera),
-                             QString::fromStdString(facts->controller.name),
+                        .arg(QString::fromStdString(facts->description.name), InOwnWords(facts->camera),
+                             InOwnWords(facts->controller.name),
                              QString::fromStdString(facts->controller.firmware_version)));
     picture_->Clear(tr("Waiting for a picture…"));
   } else {
@@ -231,6 +232,7 @@ void DevicePage::ShowLights() {
                                      : tr("%1: on").arg(one.name));
   }
   lit_->setText(model_.LitWords());
+  lit_->setVisible(!lit_->text().isEmpty());
   safety_->setText(model_.SafetyWords());
 }
 
@@ -239,8 +241,8 @@ void DevicePage::ShowReport() {
   if (!model_.report()) return;
   for (const DoctorFinding& finding : model_.report()->findings) {
     auto* item = new QTreeWidgetItem(
-        findings_, {QString::fromStdString(finding.subject), QString::fromStdString(finding.sentence),
-                    QString::fromStdString(finding.remedy)});
+        findings_,
+        {InOwnWords(finding.subject), ClausesInOwnWords(finding.sentence), InOwnWords(finding.remedy)});
     const bool fine = finding.health == DoctorFinding::Health::kFine;
     const bool broken = finding.health == DoctorFinding::Health::kBroken;
     item->setIcon(0, style()->standardIcon(fine     ? QStyle::SP_DialogApplyButton

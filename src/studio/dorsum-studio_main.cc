@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QLocale>
 #include <QSurfaceFormat>
 
 #include "base/version.h"
+#include "studio/language.h"
 #include "studio/main_window.h"
 
 int main(int argc, char** argv) {
@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Dorsum");
   QApplication::setApplicationName("dorsum-studio");
   QApplication::setApplicationVersion(dorsum::kVersion);
+  dorsum::SpeakChosenLanguage(&application);
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QApplication::translate("main", "Dorsum Studio: the window of Dorsum."));

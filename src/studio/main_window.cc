@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/main_window.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
@@ -26,11 +27,17 @@
 #include "studio/calibrate_page.h"
 #include "studio/campaign_page.h"
 #include "studio/device_page.h"
+#include "studio/language.h"
 #include "studio/scan_page.h"
 #include "studio/stages_page.h"
 #include "studio/surface_page.h"
 
 namespace dorsum {
+namespace {
+
+constexpr int kSaid_ms = 10000;
+
+}  // namespace
 
 MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
     : QMainWindow(parent),
@@ -105,12 +112,31 @@ void MainWindow::AddMenus() {
                   [this] { OpenWithDialog(true); });
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  AddLanguages();
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&About Dorsum Studio"), this, [this] {
     QMessageBox::about(this, tr("About Dorsum Studio"),
                        tr("Dorsum Studio %1: scans the back of a hand. Apache License 2.0.")
                            .arg(QString::fromLatin1(kVersion)));
   });
+}
+
+void MainWindow::AddLanguages() {
+  QMenu* languages = menuBar()->addMenu(tr("&View"))->addMenu(tr("&Language"));
+  languages->setObjectName("languages");
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const QString& text, const QString& code) {
+    QAction* action = languages->addAction(text, this, [this, code] {
+      ChooseLanguage(code);
+      statusBar()->showMessage(tr("The window speaks it from its next start on."), kSaid_ms);
+    });
+    action->setData(code);
+    action->setCheckable(true);
+    action->setChecked(code == ChosenLanguage());
+    group->addAction(action);
+  };
+  add(tr("&As the desktop"), {});
+  for (const Language& language : Languages()) add(language.name, language.code);
 }
 
 void MainWindow::AddProgress() {

@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
   void AddPage(const QString& title, const QString& help, Page* page);
   void AddPages();
   void AddMenus();
+  void AddLanguages();
   void AddProgress();
   void OpenWithDialog(bool folder);
   void Remember();

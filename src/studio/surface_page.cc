@@ -495,11 +495,10 @@ QString SurfacePage::MeasureText() const {
 void SurfacePage::Say() {
   QStringList lines;
   if (scan_ && places_.empty()) {
-    const QString what = tr("%1: %L2 points, %L3 triangles")
-                             .arg(QString::fromStdString(scan_->name))
-                             .arg(scan_->surface.points.size())
-                             .arg(scan_->surface.mesh.faces.size());
-    lines << what;
+    lines << tr("%1: %2, %3")
+                 .arg(QString::fromStdString(scan_->name),
+                      tr("%Ln point(s)", "", static_cast<int>(scan_->surface.points.size())),
+                      tr("%Ln triangle(s)", "", static_cast<int>(scan_->surface.mesh.faces.size())));
     if (mode_ == Mode::kPick) lines << tr("Click a place of the surface or a stripe of the image.");
   }
   if (scan_ && mode_ != Mode::kPick && places_.size() < 2) {
@@ -510,7 +509,7 @@ void SurfacePage::Say() {
   for (const Picked& picked : places_) lines << PlaceText(picked);
   if (buffers_ && scan_ && buffers_->scale.by == ColourBy::kDifference) {
     const DifferenceSummary& d = buffers_->difference;
-    lines << tr("Against %1: mean %2 mm, RMS %3 mm over %L4 places; %L5 lie outside it")
+    lines << tr("Against %1: mean %2 mm, RMS %3 mm; places compared: %L4, outside it: %L5")
                  .arg(other_name_)
                  .arg(d.mean_mm, 0, 'f', 3)
                  .arg(d.rms_mm, 0, 'f', 3)

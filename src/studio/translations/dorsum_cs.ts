@@ -1,0 +1,1769 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs" sourcelanguage="en">
+<context>
+    <name>dorsum::Banner</name>
+    <message>
+        <source>What went wrong</source>
+        <translation>Co se nepovedlo</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Zavřít hlášení</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CalibrateModel</name>
+    <message>
+        <source>Chessboard %1 of %2</source>
+        <translation>Šachovnice %1 z %2</translation>
+    </message>
+    <message>
+        <source>Empty backplane</source>
+        <translation>Prázdná podložka</translation>
+    </message>
+    <message>
+        <source>Chessboard under laser %1</source>
+        <translation>Šachovnice pod laserem %1</translation>
+    </message>
+    <message>
+        <source>Sheet of lines</source>
+        <translation>List s čarami</translation>
+    </message>
+    <message>
+        <source>Object of %1 mm</source>
+        <translation>Těleso %1 mm</translation>
+    </message>
+    <message>
+        <source>Board on object, laser %1</source>
+        <translation>Šachovnice na tělese, laser %1</translation>
+    </message>
+    <message>
+        <source>Box of %1 mm</source>
+        <translation>Kvádr %1 mm</translation>
+    </message>
+    <message>
+        <source>Looking at what is there already…</source>
+        <translation>Zjišťuje se, co už je hotovo…</translation>
+    </message>
+    <message>
+        <source>Taking the calibration series</source>
+        <translation>Pořizuje se kalibrační série</translation>
+    </message>
+    <message>
+        <source>Stopped. What was taken is kept; the series goes on from there.</source>
+        <translation>Zastaveno. Co bylo pořízeno, zůstává; série odtud pokračuje.</translation>
+    </message>
+    <message>
+        <source>The series broke off. What was taken is kept; the series goes on from there.</source>
+        <translation>Série se přerušila. Co bylo pořízeno, zůstává; série odtud pokračuje.</translation>
+    </message>
+    <message>
+        <source>All pictures are there. The boards cover %1 % of the picture.</source>
+        <translation>Všechny snímky jsou hotové. Šachovnice pokrývají %1 % obrazu.</translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation>Probíhá kalibrace</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CalibratePage</name>
+    <message>
+        <source>&amp;Series</source>
+        <translation>&amp;Série</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to the calibration before</source>
+        <translation>&amp;Vrátit předchozí kalibraci</translation>
+    </message>
+    <message>
+        <source>Puts the calibration back that the last one replaced.</source>
+        <translation>Vrátí kalibraci, kterou ta poslední nahradila.</translation>
+    </message>
+    <message>
+        <source>&amp;Result</source>
+        <translation>Výs&amp;ledek</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the series are, or go. What is there already is kept.</source>
+        <translation>Kde snímky série jsou nebo kam přijdou. Co tam už je, zůstane.</translation>
+    </message>
+    <message>
+        <source>The calibration that is written; its report comes beside it.</source>
+        <translation>Kalibrace, která se zapíše; její zpráva přijde vedle ní.</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Procházet…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Procházet: %1</translation>
+    </message>
+    <message>
+        <source>Series &amp;folder</source>
+        <translation>S&amp;ložka série</translation>
+    </message>
+    <message>
+        <source>Calibration f&amp;ile</source>
+        <translation>Soubor kal&amp;ibrace</translation>
+    </message>
+    <message>
+        <source>&amp;Take the series</source>
+        <translation>&amp;Pořídit sérii</translation>
+    </message>
+    <message>
+        <source>Leads through the series with the open device. A series that was broken off goes on where it ended.</source>
+        <translation>Provede sérií s otevřeným zařízením. Přerušená série pokračuje tam, kde skončila.</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate from the folder</source>
+        <translation>&amp;Kalibrovat ze složky</translation>
+    </message>
+    <message>
+        <source>Calibrates from the pictures that the folder holds; needs no device.</source>
+        <translation>Kalibruje ze snímků ve složce; nepotřebuje zařízení.</translation>
+    </message>
+    <message>
+        <source>Steps of the series</source>
+        <translation>Kroky série</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Co udělat</translation>
+    </message>
+    <message>
+        <source>Live picture with what the boards cover</source>
+        <translation>Živý obraz s tím, co šachovnice pokrývají</translation>
+    </message>
+    <message>
+        <source>The live picture comes when the series is taken.</source>
+        <translation>Živý obraz se objeví, až se bude série pořizovat.</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Další</translation>
+    </message>
+    <message>
+        <source>What was asked for stands: take the pictures (Return).</source>
+        <translation>Vše je připraveno: pořídit snímky (Enter).</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>Z&amp;astavit</translation>
+    </message>
+    <message>
+        <source>Ends the series; what was taken is kept.</source>
+        <translation>Ukončí sérii; co bylo pořízeno, zůstává.</translation>
+    </message>
+    <message>
+        <source>Go on &amp;by itself</source>
+        <translation>Pokračovat &amp;samo</translation>
+    </message>
+    <message>
+        <source>A virtual device lays things down by itself, without being asked.</source>
+        <translation>Virtuální zařízení věci pokládá samo, bez ptaní.</translation>
+    </message>
+    <message>
+        <source>S&amp;how what boards cover</source>
+        <translation>&amp;Ukázat pokrytí šachovnicemi</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the series</source>
+        <translation>Zvolit složku série</translation>
+    </message>
+    <message>
+        <source>Choose where the calibration goes</source>
+        <translation>Zvolit, kam kalibrace přijde</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json)</source>
+        <translation>Kalibrace (*.json)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hotovo</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nyní</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>chybí</translation>
+    </message>
+    <message>
+        <source>Go on &amp;taking the series</source>
+        <translation>&amp;Pokračovat v sérii</translation>
+    </message>
+    <message>
+        <source>Take the series: you are led through it step by step.</source>
+        <translation>Pořiďte sérii: budete jí provedeni krok za krokem.</translation>
+    </message>
+    <message>
+        <source>Open a device on the device page, or calibrate from a folder.</source>
+        <translation>Otevřete zařízení na stránce Zařízení, nebo kalibrujte ze složky.</translation>
+    </message>
+    <message>
+        <source>Covered: %1 %</source>
+        <translation>Pokryto: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CalibrationViews</name>
+    <message>
+        <source>Verdicts</source>
+        <translation>Hodnocení</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Část</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Hodnocení</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Před a po</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Před</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Po</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Změna</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednotka</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Šachovnice</translation>
+    </message>
+    <message>
+        <source>Lasers</source>
+        <translation>Lasery</translation>
+    </message>
+    <message>
+        <source>The board with arrows to where its corners are expected</source>
+        <translation>Šachovnice se šipkami tam, kde se čekají její rohy</translation>
+    </message>
+    <message>
+        <source>What the light sheets leave, order by order</source>
+        <translation>Co zbývá po světelných plochách, řád po řádu</translation>
+    </message>
+    <message>
+        <source>What the light sheets leave along the stripes</source>
+        <translation>Co zbývá po světelných plochách podél laserových pruhů</translation>
+    </message>
+    <message>
+        <source>Each board with its reprojection error. The arrows are drawn many times longer.</source>
+        <translation>Každá šachovnice se svou reprojekční chybou. Šipky jsou mnohonásobně prodloužené.</translation>
+    </message>
+    <message>
+        <source>Noise scatters evenly about zero; a pattern is an error of the model, or a laser that moved.</source>
+        <translation>Šum je rozptýlen rovnoměrně kolem nuly; vzor znamená chybu modelu nebo laser, který se pohnul.</translation>
+    </message>
+    <message>
+        <source>&amp;Verdicts</source>
+        <translation>&amp;Hodnocení</translation>
+    </message>
+    <message>
+        <source>&amp;Boards</source>
+        <translation>Ša&amp;chovnice</translation>
+    </message>
+    <message>
+        <source>&amp;Light sheets</source>
+        <translation>Světelné plo&amp;chy</translation>
+    </message>
+    <message>
+        <source>Before and &amp;after</source>
+        <translation>Před &amp;a po</translation>
+    </message>
+    <message>
+        <source>Nothing was calibrated here yet.</source>
+        <translation>Zde se ještě nic nekalibrovalo.</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>Laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Varování</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>dobré</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>pochybné</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>špatné</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No calibration was loaded before.</source>
+        <translation>Předtím nebyla načtena žádná kalibrace.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::DeviceModel</name>
+    <message>
+        <source>LEDs</source>
+        <translation>LED</translation>
+    </message>
+    <message>
+        <source>LEDs of channel %1</source>
+        <translation>LED kanálu %1</translation>
+    </message>
+    <message>
+        <source>Laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>left as the camera has it</source>
+        <translation>ponecháno podle kamery</translation>
+    </message>
+    <message>
+        <source>No device is open, so no light can be switched on.</source>
+        <translation>Žádné zařízení není otevřené, proto nelze rozsvítit žádné světlo.</translation>
+    </message>
+    <message>
+        <source>A laser switched on here goes off by itself after %1.</source>
+        <translation>Laser zapnutý zde sám zhasne po %1.</translation>
+    </message>
+    <message>
+        <source>The controller itself puts all lights out when it hears nothing for %1.</source>
+        <translation>Řídicí jednotka sama zhasne všechna světla, když %1 nic neuslyší.</translation>
+    </message>
+    <message>
+        <source>The controller has no limit of its own.</source>
+        <translation>Řídicí jednotka nemá vlastní limit.</translation>
+    </message>
+    <message>
+        <source>All lights go off when this page is left.</source>
+        <translation>Po opuštění této stránky všechna světla zhasnou.</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>kanál %1</translation>
+    </message>
+    <message>
+        <source>The controller says: all lights are off.</source>
+        <translation>Řídicí jednotka hlásí: všechna světla jsou zhasnutá.</translation>
+    </message>
+    <message>
+        <source>The controller says these are on: %1.</source>
+        <translation>Řídicí jednotka hlásí, že svítí: %1.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Rozlišení</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixelů</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Soubory</translation>
+    </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>JPEG, quality %1</source>
+        <translation>JPEG, kvalita %1</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Přenos obrazu</translation>
+    </message>
+    <message>
+        <source>raw pictures</source>
+        <translation>surové snímky</translation>
+    </message>
+    <message>
+        <source>JPEG pictures</source>
+        <translation>snímky JPEG</translation>
+    </message>
+    <message>
+        <source>Exposure under lasers</source>
+        <translation>Expozice pod lasery</translation>
+    </message>
+    <message>
+        <source>Exposure under LEDs</source>
+        <translation>Expozice pod LED</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Zesílení</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Zaostření</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Vyvážení bílé</translation>
+    </message>
+    <message>
+        <source>%1 K</source>
+        <translation>%1 K</translation>
+    </message>
+    <message>
+        <source>Could not be set</source>
+        <translation>Nelze nastavit</translation>
+    </message>
+    <message>
+        <source>Examining the device</source>
+        <translation>Zařízení se prověřuje</translation>
+    </message>
+    <message>
+        <source>Examining this machine</source>
+        <translation>Tento počítač se prověřuje</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::DevicePage</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Živý obraz</translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Žádný obraz: %1</translation>
+    </message>
+    <message>
+        <source>The device does not answer. Open it again.</source>
+        <translation>Zařízení neodpovídá. Otevřete je znovu.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Zařízení</translation>
+    </message>
+    <message>
+        <source>A device description (device.toml), or virtual; virtual:7 is another virtual device, with the mounting errors of seed 7.</source>
+        <translation>Popis zařízení (device.toml) nebo virtual; virtual:7 je jiné virtuální zařízení, s montážními chybami podle semínka 7.</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Procházet…</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Otevřít</translation>
+    </message>
+    <message>
+        <source>Opens the device named above, in place of the one that is open.</source>
+        <translation>Otevře výše uvedené zařízení místo toho, které je otevřené.</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Zavřít</translation>
+    </message>
+    <message>
+        <source>Opening…</source>
+        <translation>Otevírá se…</translation>
+    </message>
+    <message>
+        <source>Lights by hand</source>
+        <translation>Světla ručně</translation>
+    </message>
+    <message>
+        <source>&amp;All off</source>
+        <translation>Vš&amp;e zhasnout</translation>
+    </message>
+    <message>
+        <source>Switches every light off at once (Ctrl+.).</source>
+        <translation>Ihned zhasne všechna světla (Ctrl+.).</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>Camera settings</source>
+        <translation>Nastavení kamery</translation>
+    </message>
+    <message>
+        <source>Camera &amp;settings</source>
+        <translation>&amp;Nastavení kamery</translation>
+    </message>
+    <message>
+        <source>&amp;Examine</source>
+        <translation>P&amp;rověřit</translation>
+    </message>
+    <message>
+        <source>Looks at cameras, ports, disk and calibration, then takes a picture in the dark, under the LEDs and under each laser. Clear the backplane first.</source>
+        <translation>Prohlédne kamery, porty, disk a kalibraci a pak pořídí snímek ve tmě, pod LED a pod každým laserem. Nejprve uvolněte podložku.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Část</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Zjištění</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Co udělat</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Zjištění</translation>
+    </message>
+    <message>
+        <source>E&amp;xamination</source>
+        <translation>Pro&amp;věření</translation>
+    </message>
+    <message>
+        <source>Choose a device description</source>
+        <translation>Zvolit popis zařízení</translation>
+    </message>
+    <message>
+        <source>Device descriptions (*.toml)</source>
+        <translation>Popisy zařízení (*.toml)</translation>
+    </message>
+    <message>
+        <source>Open: %1. %2; %3, firmware %4.</source>
+        <translation>Otevřeno: %1. %2; %3, firmware %4.</translation>
+    </message>
+    <message>
+        <source>Waiting for a picture…</source>
+        <translation>Čeká se na obraz…</translation>
+    </message>
+    <message>
+        <source>No device is open.</source>
+        <translation>Žádné zařízení není otevřené.</translation>
+    </message>
+    <message>
+        <source>No device is open. Choose one at the left; virtual needs no hardware.</source>
+        <translation>Žádné zařízení není otevřené. Zvolte je vlevo; virtual nepotřebuje hardware.</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1: zhasnuto</translation>
+    </message>
+    <message>
+        <source>%1: on, off by itself in %2 s</source>
+        <translation>%1: svítí, samo zhasne za %2 s</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1: svítí</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>v pořádku</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>porucha</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>poznámka</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::DeviceSession</name>
+    <message>
+        <source>Opening the device</source>
+        <translation>Otevírá se zařízení</translation>
+    </message>
+    <message>
+        <source>Closing the device</source>
+        <translation>Zavírá se zařízení</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::LiveView</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Živý obraz</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::MainWindow</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Skenování</translation>
+    </message>
+    <message>
+        <source>Scan a hand</source>
+        <translation>Naskenovat ruku</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Povrch</translation>
+    </message>
+    <message>
+        <source>Look at a surface and measure it</source>
+        <translation>Prohlédnout a změřit povrch</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrace</translation>
+    </message>
+    <message>
+        <source>Calibrate the device, or look at how well it is calibrated</source>
+        <translation>Kalibrovat zařízení nebo zjistit, jak dobře je zkalibrované</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Zařízení</translation>
+    </message>
+    <message>
+        <source>Open a device, switch its lights by hand, examine it</source>
+        <translation>Otevřít zařízení, ručně ovládat jeho světla, prověřit je</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Soubor</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>&amp;Otevřít soubor…</translation>
+    </message>
+    <message>
+        <source>Open &amp;capture folder…</source>
+        <translation>Otevřít složku &amp;snímku…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Konec</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Nápověda</translation>
+    </message>
+    <message>
+        <source>&amp;About Dorsum Studio</source>
+        <translation>&amp;O aplikaci Dorsum Studio</translation>
+    </message>
+    <message>
+        <source>About Dorsum Studio</source>
+        <translation>O aplikaci Dorsum Studio</translation>
+    </message>
+    <message>
+        <source>Dorsum Studio %1: scans the back of a hand. Apache License 2.0.</source>
+        <translation>Dorsum Studio %1: skenuje hřbet ruky. Licence Apache 2.0.</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Zobrazení</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Jazyk</translation>
+    </message>
+    <message>
+        <source>The window speaks it from its next start on.</source>
+        <translation>Okno tímto jazykem promluví od příštího spuštění.</translation>
+    </message>
+    <message>
+        <source>&amp;As the desktop</source>
+        <translation>&amp;Podle prostředí</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Průběh</translation>
+    </message>
+    <message>
+        <source>Open a capture folder</source>
+        <translation>Otevřít složku snímku</translation>
+    </message>
+    <message>
+        <source>Open a calibration or a surface</source>
+        <translation>Otevřít kalibraci nebo povrch</translation>
+    </message>
+    <message>
+        <source>Calibrations and surfaces (*.json *.ply)</source>
+        <translation>Kalibrace a povrchy (*.json *.ply)</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::ScaleBar</name>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 až %2 mm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::ScanModel</name>
+    <message>
+        <source>No device is open</source>
+        <translation>Žádné zařízení není otevřené</translation>
+    </message>
+    <message>
+        <source>The device does not answer: look at its cables</source>
+        <translation>Zařízení neodpovídá: zkontrolujte kabely</translation>
+    </message>
+    <message>
+        <source>The calibration is of another device</source>
+        <translation>Kalibrace patří jinému zařízení</translation>
+    </message>
+    <message>
+        <source>This device needs its calibration first</source>
+        <translation>Toto zařízení nejprve potřebuje kalibraci</translation>
+    </message>
+    <message>
+        <source>The virtual device calibrates itself</source>
+        <translation>Virtuální zařízení se kalibruje</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Nehýbejte se</translation>
+    </message>
+    <message>
+        <source>Once more: hold still</source>
+        <translation>Ještě jednou: nehýbejte se</translation>
+    </message>
+    <message>
+        <source>Thank you: you may take the hand away</source>
+        <translation>Děkujeme: ruku můžete zvednout</translation>
+    </message>
+    <message>
+        <source>Is it good?</source>
+        <translation>Je to dobré?</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Uloženo</translation>
+    </message>
+    <message>
+        <source>Put your hand down</source>
+        <translation>Položte ruku</translation>
+    </message>
+    <message>
+        <source>The light has changed: calibrate again</source>
+        <translation>Světlo se změnilo: kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>Move the hand to the left</source>
+        <translation>Posuňte ruku doleva</translation>
+    </message>
+    <message>
+        <source>Move the hand to the right</source>
+        <translation>Posuňte ruku doprava</translation>
+    </message>
+    <message>
+        <source>Move the hand up</source>
+        <translation>Posuňte ruku nahoru</translation>
+    </message>
+    <message>
+        <source>Move the hand down</source>
+        <translation>Posuňte ruku dolů</translation>
+    </message>
+    <message>
+        <source>Spread the fingers</source>
+        <translation>Roztáhněte prsty</translation>
+    </message>
+    <message>
+        <source>Good: hold still</source>
+        <translation>Dobře: nehýbejte se</translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation>Skenuje se</translation>
+    </message>
+    <message>
+        <source>Keeping the capture</source>
+        <translation>Snímek se ukládá</translation>
+    </message>
+    <message>
+        <source>Laying something before the device</source>
+        <translation>Před zařízení se něco pokládá</translation>
+    </message>
+    <message>
+        <source>Calibrating the virtual device</source>
+        <translation>Kalibruje se virtuální zařízení</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::ScanPage</name>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Opakovat</translation>
+    </message>
+    <message>
+        <source>Keep &amp;in…</source>
+        <translation>Ukládat &amp;do…</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automaticky</translation>
+    </message>
+    <message>
+        <source>&amp;Before the device:</source>
+        <translation>&amp;Před zařízením:</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Co udělat</translation>
+    </message>
+    <message>
+        <source>Progress of the scan</source>
+        <translation>Průběh skenování</translation>
+    </message>
+    <message>
+        <source>Quality of the fingers</source>
+        <translation>Kvalita prstů</translation>
+    </message>
+    <message>
+        <source>How much of each finger the surface covers, and the usual uncertainty of its heights</source>
+        <translation>Kolik z každého prstu povrch pokrývá a obvyklá nejistota jeho výšek</translation>
+    </message>
+    <message>
+        <source>Throw this scan away and take another</source>
+        <translation>Zahodit tento sken a pořídit jiný</translation>
+    </message>
+    <message>
+        <source>Scan when the hand has rested for a second; again when it has moved since</source>
+        <translation>Skenovat, když je ruka vteřinu v klidu; znovu, až se pohne</translation>
+    </message>
+    <message>
+        <source>The folder in which captures are kept, each in a folder of its own</source>
+        <translation>Složka, kam se snímky ukládají, každý do vlastní složky</translation>
+    </message>
+    <message>
+        <source>Keep captures in</source>
+        <translation>Ukládat snímky do</translation>
+    </message>
+    <message>
+        <source>What lies before the virtual device</source>
+        <translation>Co leží před virtuálním zařízením</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
+    <message>
+        <source>Anna&apos;s right hand</source>
+        <translation>Annina pravá ruka</translation>
+    </message>
+    <message>
+        <source>Anna&apos;s right hand, another day</source>
+        <translation>Annina pravá ruka, jiný den</translation>
+    </message>
+    <message>
+        <source>Ben&apos;s left hand</source>
+        <translation>Benova levá ruka</translation>
+    </message>
+    <message>
+        <source>Ben&apos;s left hand, which moves</source>
+        <translation>Benova levá ruka, která se hýbe</translation>
+    </message>
+    <message>
+        <source>a box, 25.5 mm high</source>
+        <translation>kvádr vysoký 25,5 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Open the virtual device</source>
+        <translation>&amp;Otevřít virtuální zařízení</translation>
+    </message>
+    <message>
+        <source>&amp;Connect again</source>
+        <translation>&amp;Znovu připojit</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate this virtual device</source>
+        <translation>&amp;Kalibrovat toto virtuální zařízení</translation>
+    </message>
+    <message>
+        <source>&amp;Open its calibration…</source>
+        <translation>&amp;Otevřít jeho kalibraci…</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>&amp;Skenovat</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Z&amp;rušit</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>&amp;Next hand</source>
+        <translation>&amp;Další ruka</translation>
+    </message>
+    <message>
+        <source>Open the device&apos;s calibration</source>
+        <translation>Otevřít kalibraci zařízení</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json)</source>
+        <translation>Kalibrace (*.json)</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>tma</translation>
+    </message>
+    <message>
+        <source>lamps</source>
+        <translation>světla</translation>
+    </message>
+    <message>
+        <source>lamps again</source>
+        <translation>světla znovu</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>povrch</translation>
+    </message>
+    <message>
+        <source>laser %1</source>
+        <translation>laser %1</translation>
+    </message>
+    <message>
+        <source>Fingers: not told, since five cannot be separated</source>
+        <translation>Prsty: bez údajů, protože se jich nepodařilo rozlišit pět</translation>
+    </message>
+    <message>
+        <source>finger %1: %2 % covered, ±%3 mm</source>
+        <translation>prst %1: pokryto %2 %, ±%3 mm</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Uloženo v %1</translation>
+    </message>
+    <message>
+        <source>Is kept in %1</source>
+        <translation>Uloží se do %1</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SectionPlot</name>
+    <message>
+        <source>along the line, mm</source>
+        <translation>podél čáry, mm</translation>
+    </message>
+    <message>
+        <source>height, mm</source>
+        <translation>výška, mm</translation>
+    </message>
+    <message>
+        <source>%1 mm along, %2 mm high</source>
+        <translation>na %1 mm, výška %2 mm</translation>
+    </message>
+    <message>
+        <source>Choose Section and two places of the surface: the cut through them is drawn here.</source>
+        <translation>Zvolte Řez a dvě místa povrchu: zde se nakreslí řez jimi.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfacePage</name>
+    <message>
+        <source>Com&amp;pare…</source>
+        <translation>Po&amp;rovnat…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportovat…</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>Vy&amp;mazat</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Povrch</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn; Shift moves; wheel, + and - zoom; Home shows all; a click or Enter picks a place</source>
+        <translation>Tažení nebo šipky otáčejí; Shift posouvá; kolečko, + a - mění zvětšení; Home ukáže vše; kliknutí nebo Enter vybere místo</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Řez</translation>
+    </message>
+    <message>
+        <source>The cut through the two places</source>
+        <translation>Řez oběma místy</translation>
+    </message>
+    <message>
+        <source>Scale of the colours</source>
+        <translation>Stupnice barev</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Co bylo změřeno</translation>
+    </message>
+    <message>
+        <source>No surface</source>
+        <translation>Žádný povrch</translation>
+    </message>
+    <message>
+        <source>No surface yet. Scan a hand, open a capture folder or a PLY file, or drop one here.</source>
+        <translation>Zatím žádný povrch. Naskenujte ruku, otevřete složku snímku nebo soubor PLY, nebo je sem přetáhněte.</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>The image with its stripes; a click or Enter picks a stripe, the wheel, + and - zoom, Home shows all</source>
+        <translation>Obraz s laserovými pruhy; kliknutí nebo Enter vybere pruh, kolečko, + a - mění zvětšení, Home ukáže vše</translation>
+    </message>
+    <message>
+        <source>Image that is shown</source>
+        <translation>Zobrazený obraz</translation>
+    </message>
+    <message>
+        <source>Which of the capture&apos;s images, and whose stripes</source>
+        <translation>Který z obrazů snímku a čí laserové pruhy</translation>
+    </message>
+    <message>
+        <source>&amp;Image:</source>
+        <translation>&amp;Obraz:</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Co se zobrazuje</translation>
+    </message>
+    <message>
+        <source>The mesh, the points of the stripes, or both</source>
+        <translation>Síť, body laserových pruhů, nebo obojí</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Síť</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Body</translation>
+    </message>
+    <message>
+        <source>Mesh and points</source>
+        <translation>Síť a body</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Barvy</translation>
+    </message>
+    <message>
+        <source>What the colours of the surface mean</source>
+        <translation>Co barvy povrchu znamenají</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Order of the stripe</source>
+        <translation>Řád pruhu</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>Uncertainty of z</source>
+        <translation>Nejistota z</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Rozdíl</translation>
+    </message>
+    <message>
+        <source>Shaded only</source>
+        <translation>Jen stínování</translation>
+    </message>
+    <message>
+        <source>&amp;Show:</source>
+        <translation>&amp;Zobrazit:</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Barvy:</translation>
+    </message>
+    <message>
+        <source>Compare with another surface</source>
+        <translation>Porovnat s jiným povrchem</translation>
+    </message>
+    <message>
+        <source>Colours show how far this surface lies above or below that of another PLY file</source>
+        <translation>Barvy ukazují, jak vysoko nad povrchem jiného souboru PLY nebo pod ním tento povrch leží</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Write the surface as PLY, OBJ, STL or GLB, or the view as PNG</source>
+        <translation>Zapsat povrch jako PLY, OBJ, STL nebo GLB, nebo pohled jako PNG</translation>
+    </message>
+    <message>
+        <source>Compare with a surface</source>
+        <translation>Porovnat s povrchem</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.ply)</source>
+        <translation>Povrchy (*.ply)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Obrázek (*.png)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;Obrázek (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>&amp;Místo</translation>
+    </message>
+    <message>
+        <source>Say where a place lies and which stripe runs there</source>
+        <translation>Říci, kde místo leží a který laserový pruh tudy vede</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Vzdálenost</translation>
+    </message>
+    <message>
+        <source>Two places: how far along the surface, and straight</source>
+        <translation>Dvě místa: jak daleko po povrchu a přímo</translation>
+    </message>
+    <message>
+        <source>Sec&amp;tion</source>
+        <translation>Ře&amp;z</translation>
+    </message>
+    <message>
+        <source>Two places: the upright cut through both, as a curve</source>
+        <translation>Dvě místa: svislý řez oběma jako křivka</translation>
+    </message>
+    <message>
+        <source>Clear the measure</source>
+        <translation>Vymazat měření</translation>
+    </message>
+    <message>
+        <source>Take the chosen places away</source>
+        <translation>Odebrat zvolená místa</translation>
+    </message>
+    <message>
+        <source>All stripes</source>
+        <translation>Všechny laserové pruhy</translation>
+    </message>
+    <message>
+        <source>LEDs, all stripes</source>
+        <translation>LED, všechny laserové pruhy</translation>
+    </message>
+    <message>
+        <source>Laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>Colouring the surface</source>
+        <translation>Povrch se barví</translation>
+    </message>
+    <message>
+        <source>Measuring along the surface</source>
+        <translation>Měří se po povrchu</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 mm</source>
+        <translation>x %1, y %2, z %3 mm</translation>
+    </message>
+    <message>
+        <source>; image %1, %2 px</source>
+        <translation>; obraz %1, %2 px</translation>
+    </message>
+    <message>
+        <source>; stripe of laser %1, order %2</source>
+        <translation>; pruh laseru %1, řád %2</translation>
+    </message>
+    <message>
+        <source>; one standard deviation of z %1 mm</source>
+        <translation>; jedna směrodatná odchylka z %1 mm</translation>
+    </message>
+    <message>
+        <source>Straight %1 mm</source>
+        <translation>Přímo %1 mm</translation>
+    </message>
+    <message>
+        <source>, along the surface %1 mm</source>
+        <translation>, po povrchu %1 mm</translation>
+    </message>
+    <message>
+        <source>; points alone have no way along a surface</source>
+        <translation>; samotné body nemají cestu po povrchu</translation>
+    </message>
+    <message>
+        <source>, measuring along the surface…</source>
+        <translation>, měří se po povrchu…</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln point(s)</source>
+        <translation>
+            <numerusform>%Ln bod</numerusform>
+            <numerusform>%Ln body</numerusform>
+            <numerusform>%Ln bodů</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln trojúhelník</numerusform>
+            <numerusform>%Ln trojúhelníky</numerusform>
+            <numerusform>%Ln trojúhelníků</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click a place of the surface or a stripe of the image.</source>
+        <translation>Klikněte na místo povrchu nebo pruh v obraze.</translation>
+    </message>
+    <message>
+        <source>Click the first of two places.</source>
+        <translation>Klikněte na první ze dvou míst.</translation>
+    </message>
+    <message>
+        <source>Click the second place.</source>
+        <translation>Klikněte na druhé místo.</translation>
+    </message>
+    <message>
+        <source>Against %1: mean %2 mm, RMS %3 mm; places compared: %L4, outside it: %L5</source>
+        <translation>Proti %1: průměr %2 mm, RMS %3 mm; porovnaných míst: %L4, mimo: %L5</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Čte se %1</translation>
+    </message>
+    <message>
+        <source>Difference to %1</source>
+        <translation>Rozdíl od %1</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisuje se %1</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceView</name>
+    <message>
+        <source>this display has no OpenGL 3.3, so the surface cannot be drawn; measuring and export of files work without it</source>
+        <translation>tato obrazovka nemá OpenGL 3.3, proto nelze povrch vykreslit; měření a export souborů fungují i bez něj</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::TurningSurface</name>
+    <message>
+        <source>Surface</source>
+        <translation>Povrch</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::Workbench</name>
+    <message>
+        <source>Reading the calibration</source>
+        <translation>Čte se kalibrace</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Otevírá se %1</translation>
+    </message>
+</context>
+<context>
+    <name>library</name>
+    <message>
+        <source>Lay the chessboard flat on the backplane, its middle on the central stripe of laser %1 and its rows across the stripes.</source>
+        <translation>Položte šachovnici naplocho na podložku, středem na prostřední pruh laseru %1 a řadami napříč pruhy.</translation>
+    </message>
+    <message>
+        <source>Hold the chessboard raised and tilted by 10 to 25 degrees, another way than before, all of it in the picture.</source>
+        <translation>Držte šachovnici zvednutou a nakloněnou o 10 až 25 stupňů, jinak než předtím, celou v obraze.</translation>
+    </message>
+    <message>
+        <source>Clear the backplane.</source>
+        <translation>Uvolněte podložku.</translation>
+    </message>
+    <message>
+        <source>Lay the chessboard flat on the backplane, its middle on the central stripe of laser %1, which is on now.</source>
+        <translation>Položte šachovnici naplocho na podložku, středem na prostřední pruh laseru %1, který nyní svítí.</translation>
+    </message>
+    <message>
+        <source>Lay the sheet with one line for each laser on the backplane, the lines on the central stripes.</source>
+        <translation>Položte na podložku list s jednou čarou pro každý laser, čáry na prostřední pruhy.</translation>
+    </message>
+    <message>
+        <source>Put the calibration object of %1 mm on the backplane; it must fill the picture.</source>
+        <translation>Postavte na podložku kalibrační těleso %1 mm; musí vyplnit obraz.</translation>
+    </message>
+    <message>
+        <source>Lay the chessboard flat on the calibration object, its middle on the central stripe of laser %1, which is on now.</source>
+        <translation>Položte šachovnici naplocho na kalibrační těleso, středem na prostřední pruh laseru %1, který nyní svítí.</translation>
+    </message>
+    <message>
+        <source>Put the box of %1 mm on the empty backplane, in the middle of the picture.</source>
+        <translation>Postavte kvádr %1 mm na prázdnou podložku doprostřed obrazu.</translation>
+    </message>
+    <message>
+        <source>Again: %1. %2</source>
+        <translation>Znovu: %1. %2</translation>
+    </message>
+    <message>
+        <source>the chessboard of %1 x %2 inner corners is not seen whole</source>
+        <translation>šachovnice s %1 x %2 vnitřními rohy není vidět celá</translation>
+    </message>
+    <message>
+        <source>the chessboard lies as it did before</source>
+        <translation>šachovnice leží stejně jako předtím</translation>
+    </message>
+    <message>
+        <source>Chessboard %1 of %2: the boards cover %3 % of the picture; least at the %4.</source>
+        <translation>Šachovnice %1 z %2: šachovnice pokrývají %3 % obrazu; nejméně: %4.</translation>
+    </message>
+    <message>
+        <source>Chessboard %1 of %2: the boards cover %3 % of the picture.</source>
+        <translation>Šachovnice %1 z %2: šachovnice pokrývají %3 % obrazu.</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>vlevo nahoře</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>vpravo nahoře</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>vlevo dole</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>vpravo dole</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>kamera</translation>
+    </message>
+    <message>
+        <source>chessboard</source>
+        <translation>šachovnice</translation>
+    </message>
+    <message>
+        <source>known heights</source>
+        <translation>známé výšky</translation>
+    </message>
+    <message>
+        <source>surface error correction</source>
+        <translation>korekce chyb povrchu</translation>
+    </message>
+    <message>
+        <source>laser %1</source>
+        <translation>laser %1</translation>
+    </message>
+    <message>
+        <source>the camera model explains all chessboards</source>
+        <translation>model kamery vysvětluje všechny šachovnice</translation>
+    </message>
+    <message>
+        <source>the corners do not fit; capture the chessboards again with a flat board and a sharp picture</source>
+        <translation>rohy nesedí; pořiďte šachovnice znovu s rovnou deskou a ostrým obrazem</translation>
+    </message>
+    <message>
+        <source>the corners do not fit well, worst in %1</source>
+        <translation>rohy nesedí dobře, nejhůře v %1</translation>
+    </message>
+    <message>
+        <source>is the board flat, sharp and still?</source>
+        <translation>je šachovnice rovná, ostrá a v klidu?</translation>
+    </message>
+    <message>
+        <source>the board is flat</source>
+        <translation>deska je rovná</translation>
+    </message>
+    <message>
+        <source>the board is not flat: its corners lie %1 mm off its middle</source>
+        <translation>deska není rovná: její rohy leží %1 mm mimo rovinu středu</translation>
+    </message>
+    <message>
+        <source>that bow was taken into account, but mount the board on something flat</source>
+        <translation>prohnutí bylo započteno, ale upevněte desku na něco rovného</translation>
+    </message>
+    <message>
+        <source>all heights fit as they were given</source>
+        <translation>všechny výšky sedí, jak byly zadány</translation>
+    </message>
+    <message>
+        <source>the height of %1 is given as %2 mm, fits %3 mm</source>
+        <translation>výška %1 je zadána jako %2 mm, sedí %3 mm</translation>
+    </message>
+    <message>
+        <source>what fits was used, so measure it and correct setup.json</source>
+        <translation>použito bylo, co sedí; změřte ji a opravte setup.json</translation>
+    </message>
+    <message>
+        <source>cones explain all stripes</source>
+        <translation>kužely vysvětlují všechny laserové pruhy</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees, too little to tell its form</source>
+        <translation>vějíř je nakloněn o %1 stupně, příliš málo na určení tvaru</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees and is flat, as it leaves a laser</source>
+        <translation>vějíř je nakloněn o %1 stupně a je rovinný, jak vychází z laseru</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees and has one cosine all along (a cone before the grating)</source>
+        <translation>vějíř je nakloněn o %1 stupně a má všude stejný kosinus (kužel před difrakční mřížkou)</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees and is bowed, neither flat nor a cone</source>
+        <translation>vějíř je nakloněn o %1 stupně a je prohnutý, ani rovinný, ani kužel</translation>
+    </message>
+    <message>
+        <source>the second-order correction explains the boxes</source>
+        <translation>korekce druhého řádu vysvětluje kvádry</translation>
+    </message>
+    <message>
+        <source>views</source>
+        <translation>pohledy</translation>
+    </message>
+    <message>
+        <source>boards that lie on known heights</source>
+        <translation>šachovnice ve známých výškách</translation>
+    </message>
+    <message>
+        <source>reprojection error</source>
+        <translation>reprojekční chyba</translation>
+    </message>
+    <message>
+        <source>worst view</source>
+        <translation>nejhorší pohled</translation>
+    </message>
+    <message>
+        <source>focal length</source>
+        <translation>ohnisková vzdálenost</translation>
+    </message>
+    <message>
+        <source>principal point</source>
+        <translation>hlavní bod</translation>
+    </message>
+    <message>
+        <source>camera height</source>
+        <translation>výška kamery</translation>
+    </message>
+    <message>
+        <source>stripe points</source>
+        <translation>body pruhů</translation>
+    </message>
+    <message>
+        <source>sheet residual</source>
+        <translation>zbytková chyba světelných ploch</translation>
+    </message>
+    <message>
+        <source>pattern left</source>
+        <translation>zbylý vzor</translation>
+    </message>
+    <message>
+        <source>height uncertainty by calibration</source>
+        <translation>nejistota výšky z kalibrace</translation>
+    </message>
+    <message>
+        <source>grating x</source>
+        <translation>mřížka x</translation>
+    </message>
+    <message>
+        <source>grating height</source>
+        <translation>výška mřížky</translation>
+    </message>
+    <message>
+        <source>order step</source>
+        <translation>krok řádu</translation>
+    </message>
+    <message>
+        <source>fan distance</source>
+        <translation>vzdálenost vějíře</translation>
+    </message>
+    <message>
+        <source>fan tilt</source>
+        <translation>náklon vějíře</translation>
+    </message>
+    <message>
+        <source>fan bow</source>
+        <translation>prohnutí vějíře</translation>
+    </message>
+    <message>
+        <source>sag of the corners</source>
+        <translation>průhyb rohů</translation>
+    </message>
+    <message>
+        <source>sag, in standard deviations</source>
+        <translation>průhyb ve směrodatných odchylkách</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty</source>
+        <translation>%1, nejistota</translation>
+    </message>
+    <message>
+        <source>%1: given</source>
+        <translation>%1: zadáno</translation>
+    </message>
+    <message>
+        <source>%1: fits</source>
+        <translation>%1: sedí</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1: nejistota</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>kamery</translation>
+    </message>
+    <message>
+        <source>serial ports</source>
+        <translation>sériové porty</translation>
+    </message>
+    <message>
+        <source>disk</source>
+        <translation>disk</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>kalibrace</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>zařízení</translation>
+    </message>
+    <message>
+        <source>light controller</source>
+        <translation>řízení světel</translation>
+    </message>
+    <message>
+        <source>daylight</source>
+        <translation>denní světlo</translation>
+    </message>
+    <message>
+        <source>LEDs</source>
+        <translation>LED</translation>
+    </message>
+    <message>
+        <source>virtual camera</source>
+        <translation>virtuální kamera</translation>
+    </message>
+    <message>
+        <source>virtual light controller</source>
+        <translation>virtuální řízení světel</translation>
+    </message>
+    <message>
+        <source>virtual light controller, firmware virtual</source>
+        <translation>virtuální řízení světel, firmware virtual</translation>
+    </message>
+    <message>
+        <source>virtual camera, %1 x %2 pixels</source>
+        <translation>virtuální kamera, %1 x %2 pixelů</translation>
+    </message>
+    <message>
+        <source>this machine has no camera</source>
+        <translation>tento počítač nemá kameru</translation>
+    </message>
+    <message>
+        <source>plug one in; a network camera or virtual needs none</source>
+        <translation>připojte ji; síťová kamera ani virtual ji nepotřebují</translation>
+    </message>
+    <message>
+        <source>no serial port of a USB device is there</source>
+        <translation>není tu žádný sériový port USB zařízení</translation>
+    </message>
+    <message>
+        <source>plug the light controller in; virtual needs none</source>
+        <translation>připojte řízení světel; virtual je nepotřebuje</translation>
+    </message>
+    <message>
+        <source>%1 may be used</source>
+        <translation>%1 lze používat</translation>
+    </message>
+    <message>
+        <source>%1 may not be used by you</source>
+        <translation>%1 nesmíte používat</translation>
+    </message>
+    <message>
+        <source>%1 GB are free at %2</source>
+        <translation>volno je %1 GB v %2</translation>
+    </message>
+    <message>
+        <source>make room: a capture takes some megabytes</source>
+        <translation>uvolněte místo: snímek zabere několik megabajtů</translation>
+    </message>
+    <message>
+        <source>%1 is %2 days old, made by version %3 with method %4</source>
+        <translation>stáří %1 je %2 dne, vytvořila verze %3 metodou %4</translation>
+    </message>
+    <message>
+        <source>the check below says whether it still fits</source>
+        <translation>kontrola níže řekne, zda ještě sedí</translation>
+    </message>
+    <message>
+        <source>calibrate the device</source>
+        <translation>kalibrujte zařízení</translation>
+    </message>
+    <message>
+        <source>calibrate this device</source>
+        <translation>kalibrujte toto zařízení</translation>
+    </message>
+    <message>
+        <source>little light comes from elsewhere</source>
+        <translation>odjinud přichází málo světla</translation>
+    </message>
+    <message>
+        <source>they light the picture</source>
+        <translation>osvětlují obraz</translation>
+    </message>
+    <message>
+        <source>it lights its stripes</source>
+        <translation>kreslí své laserové pruhy</translation>
+    </message>
+    <message>
+        <source>it is of a camera of %1 x %2 pixels</source>
+        <translation>patří ke kameře s %1 x %2 pixely</translation>
+    </message>
+    <message>
+        <source>its stripes lie %1 px from where the calibration has them (%2 points)</source>
+        <translation>jeho pruhy leží %1 px od míst podle kalibrace (bodů: %2)</translation>
+    </message>
+    <message>
+        <source>camera, laser or backplane moved: calibrate again</source>
+        <translation>kamera, laser nebo podložka se pohnuly: kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>clear the backplane and ask again; if it is clear, calibrate again</source>
+        <translation>uvolněte podložku a zkuste znovu; je-li volná, kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>something else is being done; wait for it, or cancel it</source>
+        <translation>právě běží něco jiného; počkejte na to, nebo to zrušte</translation>
+    </message>
+    <message>
+        <source>no device is open; choose one on the device page</source>
+        <translation>žádné zařízení není otevřené; zvolte je na stránce Zařízení</translation>
+    </message>
+    <message>
+        <source>no device is open; open one on the device page, or calibrate from a folder that holds a series</source>
+        <translation>žádné zařízení není otevřené; otevřete je na stránce Zařízení, nebo kalibrujte ze složky se sérií</translation>
+    </message>
+    <message>
+        <source>no device is named; choose a device.toml, or write virtual</source>
+        <translation>není uvedeno žádné zařízení; zvolte device.toml, nebo napište virtual</translation>
+    </message>
+    <message>
+        <source>there is no surface to export; scan or open one first</source>
+        <translation>není žádný povrch k exportu; nejprve jej naskenujte nebo otevřete</translation>
+    </message>
+    <message>
+        <source>only points are open and .%1 files hold meshes; export them as .ply</source>
+        <translation>otevřené jsou jen body a soubory .%1 obsahují sítě; exportujte je jako .ply</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not say which file to write; end it with .ply, .obj, .stl, .glb or .png</source>
+        <translation>„%1“ neříká, jaký soubor zapsat; zakončete název .ply, .obj, .stl, .glb nebo .png</translation>
+    </message>
+    <message>
+        <source>a capture needs the calibration of its device; open a calibration.json first</source>
+        <translation>snímek potřebuje kalibraci svého zařízení; nejprve otevřete calibration.json</translation>
+    </message>
+    <message>
+        <source>%1 is neither a capture folder nor a PLY file; drop one of those</source>
+        <translation>%1 není ani složka snímku, ani soubor PLY; přetáhněte sem jedno z toho</translation>
+    </message>
+    <message>
+        <source>what was dropped is no file of this machine; drop a capture folder or a PLY file</source>
+        <translation>co bylo přetaženo, není soubor tohoto počítače; přetáhněte složku snímku nebo soubor PLY</translation>
+    </message>
+    <message>
+        <source>laser %1: height error before</source>
+        <translation>laser %1: chyba výšky před</translation>
+    </message>
+    <message>
+        <source>laser %1: height error after</source>
+        <translation>laser %1: chyba výšky po</translation>
+    </message>
+    <message>
+        <source>laser %1: points</source>
+        <translation>laser %1: body</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Dorsum Studio: the window of Dorsum.</source>
+        <translation>Dorsum Studio: okno Dorsum.</translation>
+    </message>
+    <message>
+        <source>capture folder or PLY file to open</source>
+        <translation>složka snímku nebo soubor PLY k otevření</translation>
+    </message>
+    <message>
+        <source>device description, or virtual[:SEED]</source>
+        <translation>popis zařízení, nebo virtual[:SEED]</translation>
+    </message>
+    <message>
+        <source>calibration.json</source>
+        <translation>calibration.json</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,1767 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>dorsum::Banner</name>
+    <message>
+        <source>What went wrong</source>
+        <translation>Was schiefging</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CalibrateModel</name>
+    <message>
+        <source>Chessboard %1 of %2</source>
+        <translation>Schachbrett %1 von %2</translation>
+    </message>
+    <message>
+        <source>Empty backplane</source>
+        <translation>Leere Grundplatte</translation>
+    </message>
+    <message>
+        <source>Chessboard under laser %1</source>
+        <translation>Schachbrett unter Laser %1</translation>
+    </message>
+    <message>
+        <source>Sheet of lines</source>
+        <translation>Linienblatt</translation>
+    </message>
+    <message>
+        <source>Object of %1 mm</source>
+        <translation>Körper von %1 mm</translation>
+    </message>
+    <message>
+        <source>Board on object, laser %1</source>
+        <translation>Brett auf Körper, Laser %1</translation>
+    </message>
+    <message>
+        <source>Box of %1 mm</source>
+        <translation>Quader von %1 mm</translation>
+    </message>
+    <message>
+        <source>Looking at what is there already…</source>
+        <translation>Nachsehen, was schon da ist…</translation>
+    </message>
+    <message>
+        <source>Taking the calibration series</source>
+        <translation>Kalibrierserie wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>Stopped. What was taken is kept; the series goes on from there.</source>
+        <translation>Angehalten. Was aufgenommen ist, bleibt; die Serie geht von dort weiter.</translation>
+    </message>
+    <message>
+        <source>The series broke off. What was taken is kept; the series goes on from there.</source>
+        <translation>Die Serie brach ab. Was aufgenommen ist, bleibt; die Serie geht von dort weiter.</translation>
+    </message>
+    <message>
+        <source>All pictures are there. The boards cover %1 % of the picture.</source>
+        <translation>Alle Bilder sind da. Die Bretter decken %1 % des Bildes ab.</translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation>Kalibrierung läuft</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CalibratePage</name>
+    <message>
+        <source>&amp;Series</source>
+        <translation>&amp;Serie</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to the calibration before</source>
+        <translation>&amp;Zurück zur vorigen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Puts the calibration back that the last one replaced.</source>
+        <translation>Stellt die Kalibrierung wieder her, die von der letzten ersetzt wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Result</source>
+        <translation>&amp;Ergebnis</translation>
+    </message>
+    <message>
+        <source>Where the pictures of the series are, or go. What is there already is kept.</source>
+        <translation>Wo die Bilder der Serie liegen oder hinkommen. Was schon dort ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>The calibration that is written; its report comes beside it.</source>
+        <translation>Die Kalibrierung, die geschrieben wird; ihr Bericht kommt daneben.</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Durchsuchen: %1</translation>
+    </message>
+    <message>
+        <source>Series &amp;folder</source>
+        <translation>&amp;Ordner der Serie</translation>
+    </message>
+    <message>
+        <source>Calibration f&amp;ile</source>
+        <translation>Kalibrier&amp;datei</translation>
+    </message>
+    <message>
+        <source>&amp;Take the series</source>
+        <translation>Serie &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>Leads through the series with the open device. A series that was broken off goes on where it ended.</source>
+        <translation>Führt mit dem offenen Gerät durch die Serie. Eine abgebrochene Serie geht weiter, wo sie endete.</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate from the folder</source>
+        <translation>Aus dem Ordner &amp;kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrates from the pictures that the folder holds; needs no device.</source>
+        <translation>Kalibriert aus den Bildern im Ordner; braucht kein Gerät.</translation>
+    </message>
+    <message>
+        <source>Steps of the series</source>
+        <translation>Schritte der Serie</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Live picture with what the boards cover</source>
+        <translation>Livebild mit dem, was die Bretter abdecken</translation>
+    </message>
+    <message>
+        <source>The live picture comes when the series is taken.</source>
+        <translation>Das Livebild kommt, wenn die Serie aufgenommen wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>What was asked for stands: take the pictures (Return).</source>
+        <translation>Alles steht wie verlangt: Bilder aufnehmen (Eingabetaste).</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Ends the series; what was taken is kept.</source>
+        <translation>Beendet die Serie; was aufgenommen ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>Go on &amp;by itself</source>
+        <translation>Von &amp;selbst weitergehen</translation>
+    </message>
+    <message>
+        <source>A virtual device lays things down by itself, without being asked.</source>
+        <translation>Ein virtuelles Gerät legt die Dinge ohne Rückfrage selbst hin.</translation>
+    </message>
+    <message>
+        <source>S&amp;how what boards cover</source>
+        <translation>&amp;Abdeckung durch Bretter zeigen</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the series</source>
+        <translation>Ordner der Serie wählen</translation>
+    </message>
+    <message>
+        <source>Choose where the calibration goes</source>
+        <translation>Ort der Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json)</source>
+        <translation>Kalibrierungen (*.json)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Go on &amp;taking the series</source>
+        <translation>Serie weiter &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the series: you are led through it step by step.</source>
+        <translation>Serie aufnehmen: Sie werden Schritt für Schritt hindurchgeführt.</translation>
+    </message>
+    <message>
+        <source>Open a device on the device page, or calibrate from a folder.</source>
+        <translation>Öffnen Sie auf der Geräteseite ein Gerät, oder kalibrieren Sie aus einem Ordner.</translation>
+    </message>
+    <message>
+        <source>Covered: %1 %</source>
+        <translation>Abgedeckt: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CalibrationViews</name>
+    <message>
+        <source>Verdicts</source>
+        <translation>Urteile</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Bretter</translation>
+    </message>
+    <message>
+        <source>Lasers</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>The board with arrows to where its corners are expected</source>
+        <translation>Das Brett mit Pfeilen dorthin, wo seine Ecken erwartet werden</translation>
+    </message>
+    <message>
+        <source>What the light sheets leave, order by order</source>
+        <translation>Was die Lichtflächen übrig lassen, Beugungsordnung für Beugungsordnung</translation>
+    </message>
+    <message>
+        <source>What the light sheets leave along the stripes</source>
+        <translation>Was die Lichtflächen entlang der Laserstreifen übrig lassen</translation>
+    </message>
+    <message>
+        <source>Each board with its reprojection error. The arrows are drawn many times longer.</source>
+        <translation>Jedes Brett mit seinem Reprojektionsfehler. Die Pfeile sind um ein Vielfaches verlängert.</translation>
+    </message>
+    <message>
+        <source>Noise scatters evenly about zero; a pattern is an error of the model, or a laser that moved.</source>
+        <translation>Rauschen streut gleichmäßig um null; ein Muster ist ein Fehler des Modells oder ein Laser, der sich bewegt hat.</translation>
+    </message>
+    <message>
+        <source>&amp;Verdicts</source>
+        <translation>&amp;Urteile</translation>
+    </message>
+    <message>
+        <source>&amp;Boards</source>
+        <translation>&amp;Bretter</translation>
+    </message>
+    <message>
+        <source>&amp;Light sheets</source>
+        <translation>&amp;Lichtflächen</translation>
+    </message>
+    <message>
+        <source>Before and &amp;after</source>
+        <translation>Vorher und &amp;nachher</translation>
+    </message>
+    <message>
+        <source>Nothing was calibrated here yet.</source>
+        <translation>Hier wurde noch nichts kalibriert.</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>Laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No calibration was loaded before.</source>
+        <translation>Vorher war keine Kalibrierung geladen.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::DeviceModel</name>
+    <message>
+        <source>LEDs</source>
+        <translation>LEDs</translation>
+    </message>
+    <message>
+        <source>LEDs of channel %1</source>
+        <translation>LEDs an Kanal %1</translation>
+    </message>
+    <message>
+        <source>Laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>left as the camera has it</source>
+        <translation>wie die Kamera es eingestellt hat</translation>
+    </message>
+    <message>
+        <source>No device is open, so no light can be switched on.</source>
+        <translation>Kein Gerät ist offen, also lässt sich kein Licht einschalten.</translation>
+    </message>
+    <message>
+        <source>A laser switched on here goes off by itself after %1.</source>
+        <translation>Ein hier eingeschalteter Laser geht nach %1 von selbst aus.</translation>
+    </message>
+    <message>
+        <source>The controller itself puts all lights out when it hears nothing for %1.</source>
+        <translation>Die Steuerung löscht alle Lichter selbst, wenn sie %1 lang nichts hört.</translation>
+    </message>
+    <message>
+        <source>The controller has no limit of its own.</source>
+        <translation>Die Steuerung hat keine eigene Grenze.</translation>
+    </message>
+    <message>
+        <source>All lights go off when this page is left.</source>
+        <translation>Alle Lichter gehen aus, wenn diese Seite verlassen wird.</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>The controller says: all lights are off.</source>
+        <translation>Die Steuerung meldet: alle Lichter sind aus.</translation>
+    </message>
+    <message>
+        <source>The controller says these are on: %1.</source>
+        <translation>Die Steuerung meldet, dass an sind: %1.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>JPEG, quality %1</source>
+        <translation>JPEG, Qualität %1</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Bildstrom</translation>
+    </message>
+    <message>
+        <source>raw pictures</source>
+        <translation>Rohbilder</translation>
+    </message>
+    <message>
+        <source>JPEG pictures</source>
+        <translation>JPEG-Bilder</translation>
+    </message>
+    <message>
+        <source>Exposure under lasers</source>
+        <translation>Belichtung unter Lasern</translation>
+    </message>
+    <message>
+        <source>Exposure under LEDs</source>
+        <translation>Belichtung unter LEDs</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>%1 K</source>
+        <translation>%1 K</translation>
+    </message>
+    <message>
+        <source>Could not be set</source>
+        <translation>Nicht einstellbar</translation>
+    </message>
+    <message>
+        <source>Examining the device</source>
+        <translation>Gerät wird untersucht</translation>
+    </message>
+    <message>
+        <source>Examining this machine</source>
+        <translation>Dieser Rechner wird untersucht</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::DevicePage</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Livebild</translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Kein Bild: %1</translation>
+    </message>
+    <message>
+        <source>The device does not answer. Open it again.</source>
+        <translation>Das Gerät antwortet nicht. Öffnen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>A device description (device.toml), or virtual; virtual:7 is another virtual device, with the mounting errors of seed 7.</source>
+        <translation>Eine Gerätebeschreibung (device.toml) oder virtual; virtual:7 ist ein anderes virtuelles Gerät, mit den Montagefehlern der Zufallszahl 7.</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the device named above, in place of the one that is open.</source>
+        <translation>Öffnet das oben genannte Gerät anstelle dessen, das offen ist.</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Opening…</source>
+        <translation>Wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Lights by hand</source>
+        <translation>Lichter von Hand</translation>
+    </message>
+    <message>
+        <source>&amp;All off</source>
+        <translation>&amp;Alles aus</translation>
+    </message>
+    <message>
+        <source>Switches every light off at once (Ctrl+.).</source>
+        <translation>Schaltet alle Lichter sofort aus (Strg+.).</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Camera settings</source>
+        <translation>Kameraeinstellungen</translation>
+    </message>
+    <message>
+        <source>Camera &amp;settings</source>
+        <translation>&amp;Kameraeinstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Examine</source>
+        <translation>&amp;Untersuchen</translation>
+    </message>
+    <message>
+        <source>Looks at cameras, ports, disk and calibration, then takes a picture in the dark, under the LEDs and under each laser. Clear the backplane first.</source>
+        <translation>Sieht nach Kameras, Anschlüssen, Festplatte und Kalibrierung und nimmt dann im Dunkeln, unter den LEDs und unter jedem Laser ein Bild auf. Vorher die Grundplatte freiräumen.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>E&amp;xamination</source>
+        <translation>Unter&amp;suchung</translation>
+    </message>
+    <message>
+        <source>Choose a device description</source>
+        <translation>Gerätebeschreibung wählen</translation>
+    </message>
+    <message>
+        <source>Device descriptions (*.toml)</source>
+        <translation>Gerätebeschreibungen (*.toml)</translation>
+    </message>
+    <message>
+        <source>Open: %1. %2; %3, firmware %4.</source>
+        <translation>Offen: %1. %2; %3, Firmware %4.</translation>
+    </message>
+    <message>
+        <source>Waiting for a picture…</source>
+        <translation>Warten auf ein Bild…</translation>
+    </message>
+    <message>
+        <source>No device is open.</source>
+        <translation>Kein Gerät ist offen.</translation>
+    </message>
+    <message>
+        <source>No device is open. Choose one at the left; virtual needs no hardware.</source>
+        <translation>Kein Gerät ist offen. Wählen Sie links eines; virtual braucht keine Hardware.</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1: aus</translation>
+    </message>
+    <message>
+        <source>%1: on, off by itself in %2 s</source>
+        <translation>%1: an, in %2 s von selbst aus</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1: an</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>defekt</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::DeviceSession</name>
+    <message>
+        <source>Opening the device</source>
+        <translation>Gerät wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Closing the device</source>
+        <translation>Gerät wird geschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::LiveView</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Livebild</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::MainWindow</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scannen</translation>
+    </message>
+    <message>
+        <source>Scan a hand</source>
+        <translation>Eine Hand scannen</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Look at a surface and measure it</source>
+        <translation>Eine Oberfläche ansehen und vermessen</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate the device, or look at how well it is calibrated</source>
+        <translation>Das Gerät kalibrieren oder ansehen, wie gut es kalibriert ist</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Open a device, switch its lights by hand, examine it</source>
+        <translation>Ein Gerät öffnen, seine Lichter von Hand schalten, es untersuchen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>Datei &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>Open &amp;capture folder…</source>
+        <translation>Ordner einer &amp;Aufnahme öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;About Dorsum Studio</source>
+        <translation>Ü&amp;ber Dorsum Studio</translation>
+    </message>
+    <message>
+        <source>About Dorsum Studio</source>
+        <translation>Über Dorsum Studio</translation>
+    </message>
+    <message>
+        <source>Dorsum Studio %1: scans the back of a hand. Apache License 2.0.</source>
+        <translation>Dorsum Studio %1: scannt den Handrücken. Apache-Lizenz 2.0.</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>The window speaks it from its next start on.</source>
+        <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;As the desktop</source>
+        <translation>&amp;Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Open a capture folder</source>
+        <translation>Ordner einer Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Open a calibration or a surface</source>
+        <translation>Kalibrierung oder Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>Calibrations and surfaces (*.json *.ply)</source>
+        <translation>Kalibrierungen und Oberflächen (*.json *.ply)</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::ScaleBar</name>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::ScanModel</name>
+    <message>
+        <source>No device is open</source>
+        <translation>Kein Gerät ist offen</translation>
+    </message>
+    <message>
+        <source>The device does not answer: look at its cables</source>
+        <translation>Das Gerät antwortet nicht: Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>The calibration is of another device</source>
+        <translation>Die Kalibrierung gehört zu einem anderen Gerät</translation>
+    </message>
+    <message>
+        <source>This device needs its calibration first</source>
+        <translation>Dieses Gerät braucht zuerst seine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The virtual device calibrates itself</source>
+        <translation>Das virtuelle Gerät kalibriert sich</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Stillhalten</translation>
+    </message>
+    <message>
+        <source>Once more: hold still</source>
+        <translation>Noch einmal: stillhalten</translation>
+    </message>
+    <message>
+        <source>Thank you: you may take the hand away</source>
+        <translation>Danke: die Hand kann weg</translation>
+    </message>
+    <message>
+        <source>Is it good?</source>
+        <translation>Ist es gut so?</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Put your hand down</source>
+        <translation>Hand auflegen</translation>
+    </message>
+    <message>
+        <source>The light has changed: calibrate again</source>
+        <translation>Das Licht hat sich geändert: neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Move the hand to the left</source>
+        <translation>Hand nach links schieben</translation>
+    </message>
+    <message>
+        <source>Move the hand to the right</source>
+        <translation>Hand nach rechts schieben</translation>
+    </message>
+    <message>
+        <source>Move the hand up</source>
+        <translation>Hand nach oben schieben</translation>
+    </message>
+    <message>
+        <source>Move the hand down</source>
+        <translation>Hand nach unten schieben</translation>
+    </message>
+    <message>
+        <source>Spread the fingers</source>
+        <translation>Finger spreizen</translation>
+    </message>
+    <message>
+        <source>Good: hold still</source>
+        <translation>Gut: stillhalten</translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation>Scan läuft</translation>
+    </message>
+    <message>
+        <source>Keeping the capture</source>
+        <translation>Aufnahme wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Laying something before the device</source>
+        <translation>Etwas wird vor das Gerät gelegt</translation>
+    </message>
+    <message>
+        <source>Calibrating the virtual device</source>
+        <translation>Virtuelles Gerät wird kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::ScanPage</name>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Keep &amp;in…</source>
+        <translation>Behalten &amp;in…</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>&amp;Before the device:</source>
+        <translation>&amp;Vor dem Gerät:</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Progress of the scan</source>
+        <translation>Fortschritt des Scans</translation>
+    </message>
+    <message>
+        <source>Quality of the fingers</source>
+        <translation>Qualität der Finger</translation>
+    </message>
+    <message>
+        <source>How much of each finger the surface covers, and the usual uncertainty of its heights</source>
+        <translation>Wie viel von jedem Finger die Oberfläche abdeckt, und die übliche Unsicherheit ihrer Höhen</translation>
+    </message>
+    <message>
+        <source>Throw this scan away and take another</source>
+        <translation>Diesen Scan verwerfen und einen neuen machen</translation>
+    </message>
+    <message>
+        <source>Scan when the hand has rested for a second; again when it has moved since</source>
+        <translation>Scannen, wenn die Hand eine Sekunde ruht; erneut erst, wenn sie sich bewegt hat</translation>
+    </message>
+    <message>
+        <source>The folder in which captures are kept, each in a folder of its own</source>
+        <translation>Der Ordner, in dem Aufnahmen bleiben, jede in einem eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>Keep captures in</source>
+        <translation>Aufnahmen behalten in</translation>
+    </message>
+    <message>
+        <source>What lies before the virtual device</source>
+        <translation>Was vor dem virtuellen Gerät liegt</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Anna&apos;s right hand</source>
+        <translation>Annas rechte Hand</translation>
+    </message>
+    <message>
+        <source>Anna&apos;s right hand, another day</source>
+        <translation>Annas rechte Hand, an einem anderen Tag</translation>
+    </message>
+    <message>
+        <source>Ben&apos;s left hand</source>
+        <translation>Bens linke Hand</translation>
+    </message>
+    <message>
+        <source>Ben&apos;s left hand, which moves</source>
+        <translation>Bens linke Hand, die sich bewegt</translation>
+    </message>
+    <message>
+        <source>a box, 25.5 mm high</source>
+        <translation>ein Quader, 25,5 mm hoch</translation>
+    </message>
+    <message>
+        <source>&amp;Open the virtual device</source>
+        <translation>Das virtuelle Gerät &amp;öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Connect again</source>
+        <translation>Wieder &amp;verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate this virtual device</source>
+        <translation>Dieses virtuelle Gerät &amp;kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Open its calibration…</source>
+        <translation>Seine Kalibrierung ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>&amp;Scannen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Next hand</source>
+        <translation>&amp;Nächste Hand</translation>
+    </message>
+    <message>
+        <source>Open the device&apos;s calibration</source>
+        <translation>Kalibrierung des Geräts öffnen</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json)</source>
+        <translation>Kalibrierungen (*.json)</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>lamps</source>
+        <translation>Lampen</translation>
+    </message>
+    <message>
+        <source>lamps again</source>
+        <translation>Lampen noch einmal</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>Fingers: not told, since five cannot be separated</source>
+        <translation>Finger: ohne Angabe, da sich keine fünf trennen lassen</translation>
+    </message>
+    <message>
+        <source>finger %1: %2 % covered, ±%3 mm</source>
+        <translation>Finger %1: %2 % abgedeckt, ±%3 mm</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>Is kept in %1</source>
+        <translation>Wird gespeichert in %1</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SectionPlot</name>
+    <message>
+        <source>along the line, mm</source>
+        <translation>entlang der Linie, mm</translation>
+    </message>
+    <message>
+        <source>height, mm</source>
+        <translation>Höhe, mm</translation>
+    </message>
+    <message>
+        <source>%1 mm along, %2 mm high</source>
+        <translation>bei %1 mm, %2 mm hoch</translation>
+    </message>
+    <message>
+        <source>Choose Section and two places of the surface: the cut through them is drawn here.</source>
+        <translation>„Schnitt“ und zwei Stellen der Oberfläche wählen: der Schnitt durch sie wird hier gezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfacePage</name>
+    <message>
+        <source>Com&amp;pare…</source>
+        <translation>&amp;Vergleichen…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn; Shift moves; wheel, + and - zoom; Home shows all; a click or Enter picks a place</source>
+        <translation>Ziehen oder Pfeiltasten drehen; Umschalt verschiebt; Rad, + und - vergrößern und verkleinern; Pos1 zeigt alles; Klick oder Eingabe wählt eine Stelle</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>The cut through the two places</source>
+        <translation>Der Schnitt durch die beiden Stellen</translation>
+    </message>
+    <message>
+        <source>Scale of the colours</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>No surface</source>
+        <translation>Keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>No surface yet. Scan a hand, open a capture folder or a PLY file, or drop one here.</source>
+        <translation>Noch keine Oberfläche. Scannen Sie eine Hand, öffnen Sie den Ordner einer Aufnahme oder eine PLY-Datei, oder ziehen Sie eines davon hierher.</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The image with its stripes; a click or Enter picks a stripe, the wheel, + and - zoom, Home shows all</source>
+        <translation>Das Bild mit seinen Laserstreifen; Klick oder Eingabe wählt einen Streifen, Rad, + und - vergrößern und verkleinern, Pos1 zeigt alles</translation>
+    </message>
+    <message>
+        <source>Image that is shown</source>
+        <translation>Bild, das gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Which of the capture&apos;s images, and whose stripes</source>
+        <translation>Welches der Bilder der Aufnahme, und wessen Laserstreifen</translation>
+    </message>
+    <message>
+        <source>&amp;Image:</source>
+        <translation>&amp;Bild:</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The mesh, the points of the stripes, or both</source>
+        <translation>Das Netz, die Punkte der Laserstreifen oder beides</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Mesh and points</source>
+        <translation>Netz und Punkte</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>What the colours of the surface mean</source>
+        <translation>Was die Farben der Oberfläche bedeuten</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Order of the stripe</source>
+        <translation>Beugungsordnung</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>Uncertainty of z</source>
+        <translation>Unsicherheit von z</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Shaded only</source>
+        <translation>Nur schattiert</translation>
+    </message>
+    <message>
+        <source>&amp;Show:</source>
+        <translation>&amp;Zeigen:</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Farben:</translation>
+    </message>
+    <message>
+        <source>Compare with another surface</source>
+        <translation>Mit einer anderen Oberfläche vergleichen</translation>
+    </message>
+    <message>
+        <source>Colours show how far this surface lies above or below that of another PLY file</source>
+        <translation>Farben zeigen, wie weit diese Oberfläche über oder unter der einer anderen PLY-Datei liegt</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the surface as PLY, OBJ, STL or GLB, or the view as PNG</source>
+        <translation>Die Oberfläche als PLY, OBJ, STL oder GLB schreiben, oder die Ansicht als PNG</translation>
+    </message>
+    <message>
+        <source>Compare with a surface</source>
+        <translation>Mit einer Oberfläche vergleichen</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.ply)</source>
+        <translation>Oberflächen (*.ply)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>&amp;Stelle</translation>
+    </message>
+    <message>
+        <source>Say where a place lies and which stripe runs there</source>
+        <translation>Sagen, wo eine Stelle liegt und welcher Laserstreifen dort läuft</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>Two places: how far along the surface, and straight</source>
+        <translation>Zwei Stellen: wie weit entlang der Oberfläche und geradeaus</translation>
+    </message>
+    <message>
+        <source>Sec&amp;tion</source>
+        <translation>S&amp;chnitt</translation>
+    </message>
+    <message>
+        <source>Two places: the upright cut through both, as a curve</source>
+        <translation>Zwei Stellen: der senkrechte Schnitt durch beide, als Kurve</translation>
+    </message>
+    <message>
+        <source>Clear the measure</source>
+        <translation>Messung löschen</translation>
+    </message>
+    <message>
+        <source>Take the chosen places away</source>
+        <translation>Die gewählten Stellen wegnehmen</translation>
+    </message>
+    <message>
+        <source>All stripes</source>
+        <translation>Alle Laserstreifen</translation>
+    </message>
+    <message>
+        <source>LEDs, all stripes</source>
+        <translation>LEDs, alle Laserstreifen</translation>
+    </message>
+    <message>
+        <source>Laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>Colouring the surface</source>
+        <translation>Oberfläche wird gefärbt</translation>
+    </message>
+    <message>
+        <source>Measuring along the surface</source>
+        <translation>Messung entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 mm</source>
+        <translation>x %1, y %2, z %3 mm</translation>
+    </message>
+    <message>
+        <source>; image %1, %2 px</source>
+        <translation>; Bild %1, %2 px</translation>
+    </message>
+    <message>
+        <source>; stripe of laser %1, order %2</source>
+        <translation>; Streifen von Laser %1, Beugungsordnung %2</translation>
+    </message>
+    <message>
+        <source>; one standard deviation of z %1 mm</source>
+        <translation>; eine Standardabweichung von z %1 mm</translation>
+    </message>
+    <message>
+        <source>Straight %1 mm</source>
+        <translation>Geradeaus %1 mm</translation>
+    </message>
+    <message>
+        <source>, along the surface %1 mm</source>
+        <translation>, entlang der Oberfläche %1 mm</translation>
+    </message>
+    <message>
+        <source>; points alone have no way along a surface</source>
+        <translation>; Punkte allein haben keinen Weg entlang einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>, measuring along the surface…</source>
+        <translation>, Messung entlang der Oberfläche läuft…</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln point(s)</source>
+        <translation>
+            <numerusform>%Ln Punkt</numerusform>
+            <numerusform>%Ln Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln Dreieck</numerusform>
+            <numerusform>%Ln Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click a place of the surface or a stripe of the image.</source>
+        <translation>Klicken Sie auf eine Stelle der Oberfläche oder einen Streifen im Bild.</translation>
+    </message>
+    <message>
+        <source>Click the first of two places.</source>
+        <translation>Klicken Sie auf die erste von zwei Stellen.</translation>
+    </message>
+    <message>
+        <source>Click the second place.</source>
+        <translation>Klicken Sie auf die zweite Stelle.</translation>
+    </message>
+    <message>
+        <source>Against %1: mean %2 mm, RMS %3 mm; places compared: %L4, outside it: %L5</source>
+        <translation>Gegen %1: Mittel %2 mm, RMS %3 mm; verglichene Stellen: %L4, außerhalb: %L5</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Difference to %1</source>
+        <translation>Unterschied zu %1</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceView</name>
+    <message>
+        <source>this display has no OpenGL 3.3, so the surface cannot be drawn; measuring and export of files work without it</source>
+        <translation>dieser Bildschirm hat kein OpenGL 3.3, darum kann die Oberfläche nicht gezeichnet werden; Messen und Exportieren von Dateien gehen auch ohne</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::TurningSurface</name>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::Workbench</name>
+    <message>
+        <source>Reading the calibration</source>
+        <translation>Kalibrierung wird gelesen</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>library</name>
+    <message>
+        <source>Lay the chessboard flat on the backplane, its middle on the central stripe of laser %1 and its rows across the stripes.</source>
+        <translation>Legen Sie das Schachbrett flach auf die Grundplatte, seine Mitte auf den mittleren Streifen von Laser %1 und seine Reihen quer zu den Streifen.</translation>
+    </message>
+    <message>
+        <source>Hold the chessboard raised and tilted by 10 to 25 degrees, another way than before, all of it in the picture.</source>
+        <translation>Halten Sie das Schachbrett angehoben und um 10 bis 25 Grad gekippt, anders als zuvor, ganz im Bild.</translation>
+    </message>
+    <message>
+        <source>Clear the backplane.</source>
+        <translation>Räumen Sie die Grundplatte frei.</translation>
+    </message>
+    <message>
+        <source>Lay the chessboard flat on the backplane, its middle on the central stripe of laser %1, which is on now.</source>
+        <translation>Legen Sie das Schachbrett flach auf die Grundplatte, seine Mitte auf den mittleren Streifen von Laser %1, der jetzt an ist.</translation>
+    </message>
+    <message>
+        <source>Lay the sheet with one line for each laser on the backplane, the lines on the central stripes.</source>
+        <translation>Legen Sie das Blatt mit einer Linie je Laser auf die Grundplatte, die Linien auf die mittleren Streifen.</translation>
+    </message>
+    <message>
+        <source>Put the calibration object of %1 mm on the backplane; it must fill the picture.</source>
+        <translation>Stellen Sie den Kalibrierkörper von %1 mm auf die Grundplatte; er muss das Bild füllen.</translation>
+    </message>
+    <message>
+        <source>Lay the chessboard flat on the calibration object, its middle on the central stripe of laser %1, which is on now.</source>
+        <translation>Legen Sie das Schachbrett flach auf den Kalibrierkörper, seine Mitte auf den mittleren Streifen von Laser %1, der jetzt an ist.</translation>
+    </message>
+    <message>
+        <source>Put the box of %1 mm on the empty backplane, in the middle of the picture.</source>
+        <translation>Stellen Sie den Quader von %1 mm auf die leere Grundplatte, in die Mitte des Bildes.</translation>
+    </message>
+    <message>
+        <source>Again: %1. %2</source>
+        <translation>Noch einmal: %1. %2</translation>
+    </message>
+    <message>
+        <source>the chessboard of %1 x %2 inner corners is not seen whole</source>
+        <translation>das Schachbrett mit %1 x %2 inneren Ecken ist nicht ganz zu sehen</translation>
+    </message>
+    <message>
+        <source>the chessboard lies as it did before</source>
+        <translation>das Schachbrett liegt wie zuvor</translation>
+    </message>
+    <message>
+        <source>Chessboard %1 of %2: the boards cover %3 % of the picture; least at the %4.</source>
+        <translation>Schachbrett %1 von %2: die Bretter decken %3 % des Bildes ab; am wenigsten: %4.</translation>
+    </message>
+    <message>
+        <source>Chessboard %1 of %2: the boards cover %3 % of the picture.</source>
+        <translation>Schachbrett %1 von %2: die Bretter decken %3 % des Bildes ab.</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>known heights</source>
+        <translation>bekannte Höhen</translation>
+    </message>
+    <message>
+        <source>surface error correction</source>
+        <translation>Korrektur der Oberflächenfehler</translation>
+    </message>
+    <message>
+        <source>laser %1</source>
+        <translation>Laser %1</translation>
+    </message>
+    <message>
+        <source>the camera model explains all chessboards</source>
+        <translation>das Kameramodell erklärt alle Schachbretter</translation>
+    </message>
+    <message>
+        <source>the corners do not fit; capture the chessboards again with a flat board and a sharp picture</source>
+        <translation>die Ecken passen nicht; nehmen Sie die Schachbretter mit einem ebenen Brett und scharfem Bild noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the corners do not fit well, worst in %1</source>
+        <translation>die Ecken passen nicht gut, am schlechtesten in %1</translation>
+    </message>
+    <message>
+        <source>is the board flat, sharp and still?</source>
+        <translation>ist das Brett eben, scharf und still?</translation>
+    </message>
+    <message>
+        <source>the board is flat</source>
+        <translation>das Brett ist eben</translation>
+    </message>
+    <message>
+        <source>the board is not flat: its corners lie %1 mm off its middle</source>
+        <translation>das Brett ist nicht eben: seine Ecken liegen %1 mm neben der Ebene seiner Mitte</translation>
+    </message>
+    <message>
+        <source>that bow was taken into account, but mount the board on something flat</source>
+        <translation>die Wölbung wurde berücksichtigt, aber befestigen Sie das Brett auf etwas Ebenem</translation>
+    </message>
+    <message>
+        <source>all heights fit as they were given</source>
+        <translation>alle Höhen passen wie angegeben</translation>
+    </message>
+    <message>
+        <source>the height of %1 is given as %2 mm, fits %3 mm</source>
+        <translation>die Höhe von %1 ist mit %2 mm angegeben, passend wären %3 mm</translation>
+    </message>
+    <message>
+        <source>what fits was used, so measure it and correct setup.json</source>
+        <translation>verwendet wurde, was passt; messen Sie nach und berichtigen Sie setup.json</translation>
+    </message>
+    <message>
+        <source>cones explain all stripes</source>
+        <translation>Kegel erklären alle Laserstreifen</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees, too little to tell its form</source>
+        <translation>der Fächer neigt sich um %1 Grad, zu wenig, um seine Form zu bestimmen</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees and is flat, as it leaves a laser</source>
+        <translation>der Fächer neigt sich um %1 Grad und ist eben, wie er einen Laser verlässt</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees and has one cosine all along (a cone before the grating)</source>
+        <translation>der Fächer neigt sich um %1 Grad und hat überall denselben Kosinus (ein Kegel vor dem Gitter)</translation>
+    </message>
+    <message>
+        <source>the fan leans by %1 degrees and is bowed, neither flat nor a cone</source>
+        <translation>der Fächer neigt sich um %1 Grad und ist gewölbt, weder eben noch ein Kegel</translation>
+    </message>
+    <message>
+        <source>the second-order correction explains the boxes</source>
+        <translation>die Korrektur zweiter Ordnung erklärt die Quader</translation>
+    </message>
+    <message>
+        <source>views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>boards that lie on known heights</source>
+        <translation>Bretter auf bekannten Höhen</translation>
+    </message>
+    <message>
+        <source>reprojection error</source>
+        <translation>Reprojektionsfehler</translation>
+    </message>
+    <message>
+        <source>worst view</source>
+        <translation>schlechteste Ansicht</translation>
+    </message>
+    <message>
+        <source>focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <source>principal point</source>
+        <translation>Bildhauptpunkt</translation>
+    </message>
+    <message>
+        <source>camera height</source>
+        <translation>Kamerahöhe</translation>
+    </message>
+    <message>
+        <source>stripe points</source>
+        <translation>Streifenpunkte</translation>
+    </message>
+    <message>
+        <source>sheet residual</source>
+        <translation>Restfehler der Lichtflächen</translation>
+    </message>
+    <message>
+        <source>pattern left</source>
+        <translation>verbliebenes Muster</translation>
+    </message>
+    <message>
+        <source>height uncertainty by calibration</source>
+        <translation>Höhenunsicherheit durch die Kalibrierung</translation>
+    </message>
+    <message>
+        <source>grating x</source>
+        <translation>Gitter x</translation>
+    </message>
+    <message>
+        <source>grating height</source>
+        <translation>Gitterhöhe</translation>
+    </message>
+    <message>
+        <source>order step</source>
+        <translation>Ordnungsschritt</translation>
+    </message>
+    <message>
+        <source>fan distance</source>
+        <translation>Fächerabstand</translation>
+    </message>
+    <message>
+        <source>fan tilt</source>
+        <translation>Fächerneigung</translation>
+    </message>
+    <message>
+        <source>fan bow</source>
+        <translation>Fächerwölbung</translation>
+    </message>
+    <message>
+        <source>sag of the corners</source>
+        <translation>Durchbiegung der Ecken</translation>
+    </message>
+    <message>
+        <source>sag, in standard deviations</source>
+        <translation>Durchbiegung, in Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty</source>
+        <translation>%1, Unsicherheit</translation>
+    </message>
+    <message>
+        <source>%1: given</source>
+        <translation>%1: angegeben</translation>
+    </message>
+    <message>
+        <source>%1: fits</source>
+        <translation>%1: passt</translation>
+    </message>
+    <message>
+        <source>%1: uncertainty</source>
+        <translation>%1: Unsicherheit</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>serial ports</source>
+        <translation>serielle Anschlüsse</translation>
+    </message>
+    <message>
+        <source>disk</source>
+        <translation>Festplatte</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>light controller</source>
+        <translation>Lichtsteuerung</translation>
+    </message>
+    <message>
+        <source>daylight</source>
+        <translation>Tageslicht</translation>
+    </message>
+    <message>
+        <source>LEDs</source>
+        <translation>LEDs</translation>
+    </message>
+    <message>
+        <source>virtual camera</source>
+        <translation>virtuelle Kamera</translation>
+    </message>
+    <message>
+        <source>virtual light controller</source>
+        <translation>virtuelle Lichtsteuerung</translation>
+    </message>
+    <message>
+        <source>virtual light controller, firmware virtual</source>
+        <translation>virtuelle Lichtsteuerung, Firmware virtual</translation>
+    </message>
+    <message>
+        <source>virtual camera, %1 x %2 pixels</source>
+        <translation>virtuelle Kamera, %1 x %2 Pixel</translation>
+    </message>
+    <message>
+        <source>this machine has no camera</source>
+        <translation>dieser Rechner hat keine Kamera</translation>
+    </message>
+    <message>
+        <source>plug one in; a network camera or virtual needs none</source>
+        <translation>schließen Sie eine an; eine Netzwerkkamera oder virtual braucht keine</translation>
+    </message>
+    <message>
+        <source>no serial port of a USB device is there</source>
+        <translation>kein serieller Anschluss eines USB-Geräts ist da</translation>
+    </message>
+    <message>
+        <source>plug the light controller in; virtual needs none</source>
+        <translation>schließen Sie die Lichtsteuerung an; virtual braucht keine</translation>
+    </message>
+    <message>
+        <source>%1 may be used</source>
+        <translation>%1 darf benutzt werden</translation>
+    </message>
+    <message>
+        <source>%1 may not be used by you</source>
+        <translation>%1 dürfen Sie nicht benutzen</translation>
+    </message>
+    <message>
+        <source>%1 GB are free at %2</source>
+        <translation>%1 GB sind frei unter %2</translation>
+    </message>
+    <message>
+        <source>make room: a capture takes some megabytes</source>
+        <translation>schaffen Sie Platz: eine Aufnahme braucht einige Megabyte</translation>
+    </message>
+    <message>
+        <source>%1 is %2 days old, made by version %3 with method %4</source>
+        <translation>%1 ist %2 Tage alt, erstellt von Version %3 mit Methode %4</translation>
+    </message>
+    <message>
+        <source>the check below says whether it still fits</source>
+        <translation>die Prüfung unten sagt, ob sie noch passt</translation>
+    </message>
+    <message>
+        <source>calibrate the device</source>
+        <translation>kalibrieren Sie das Gerät</translation>
+    </message>
+    <message>
+        <source>calibrate this device</source>
+        <translation>kalibrieren Sie dieses Gerät</translation>
+    </message>
+    <message>
+        <source>little light comes from elsewhere</source>
+        <translation>wenig Licht kommt von anderswo</translation>
+    </message>
+    <message>
+        <source>they light the picture</source>
+        <translation>sie beleuchten das Bild</translation>
+    </message>
+    <message>
+        <source>it lights its stripes</source>
+        <translation>er zeichnet seine Laserstreifen</translation>
+    </message>
+    <message>
+        <source>it is of a camera of %1 x %2 pixels</source>
+        <translation>sie gehört zu einer Kamera mit %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>its stripes lie %1 px from where the calibration has them (%2 points)</source>
+        <translation>seine Streifen liegen %1 px neben denen der Kalibrierung (%2 Punkte)</translation>
+    </message>
+    <message>
+        <source>camera, laser or backplane moved: calibrate again</source>
+        <translation>Kamera, Laser oder Grundplatte hat sich bewegt: neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>clear the backplane and ask again; if it is clear, calibrate again</source>
+        <translation>räumen Sie die Grundplatte frei und fragen Sie noch einmal; ist sie frei, kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>something else is being done; wait for it, or cancel it</source>
+        <translation>etwas anderes läuft gerade; warten Sie darauf, oder brechen Sie es ab</translation>
+    </message>
+    <message>
+        <source>no device is open; choose one on the device page</source>
+        <translation>kein Gerät ist offen; wählen Sie eines auf der Geräteseite</translation>
+    </message>
+    <message>
+        <source>no device is open; open one on the device page, or calibrate from a folder that holds a series</source>
+        <translation>kein Gerät ist offen; öffnen Sie eines auf der Geräteseite, oder kalibrieren Sie aus einem Ordner mit einer Serie</translation>
+    </message>
+    <message>
+        <source>no device is named; choose a device.toml, or write virtual</source>
+        <translation>kein Gerät ist genannt; wählen Sie eine device.toml, oder schreiben Sie virtual</translation>
+    </message>
+    <message>
+        <source>there is no surface to export; scan or open one first</source>
+        <translation>es gibt keine Oberfläche zu exportieren; scannen oder öffnen Sie zuerst eine</translation>
+    </message>
+    <message>
+        <source>only points are open and .%1 files hold meshes; export them as .ply</source>
+        <translation>nur Punkte sind offen, und .%1-Dateien enthalten Netze; exportieren Sie sie als .ply</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not say which file to write; end it with .ply, .obj, .stl, .glb or .png</source>
+        <translation>„%1“ sagt nicht, welche Datei zu schreiben ist; lassen Sie den Namen auf .ply, .obj, .stl, .glb oder .png enden</translation>
+    </message>
+    <message>
+        <source>a capture needs the calibration of its device; open a calibration.json first</source>
+        <translation>eine Aufnahme braucht die Kalibrierung ihres Geräts; öffnen Sie zuerst eine calibration.json</translation>
+    </message>
+    <message>
+        <source>%1 is neither a capture folder nor a PLY file; drop one of those</source>
+        <translation>%1 ist weder der Ordner einer Aufnahme noch eine PLY-Datei; ziehen Sie eines davon hierher</translation>
+    </message>
+    <message>
+        <source>what was dropped is no file of this machine; drop a capture folder or a PLY file</source>
+        <translation>was hierhergezogen wurde, ist keine Datei dieses Rechners; ziehen Sie den Ordner einer Aufnahme oder eine PLY-Datei hierher</translation>
+    </message>
+    <message>
+        <source>laser %1: height error before</source>
+        <translation>Laser %1: Höhenfehler vorher</translation>
+    </message>
+    <message>
+        <source>laser %1: height error after</source>
+        <translation>Laser %1: Höhenfehler nachher</translation>
+    </message>
+    <message>
+        <source>laser %1: points</source>
+        <translation>Laser %1: Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Dorsum Studio: the window of Dorsum.</source>
+        <translation>Dorsum Studio: das Fenster von Dorsum.</translation>
+    </message>
+    <message>
+        <source>capture folder or PLY file to open</source>
+        <translation>Ordner einer Aufnahme oder PLY-Datei zum Öffnen</translation>
+    </message>
+    <message>
+        <source>device description, or virtual[:SEED]</source>
+        <translation>Gerätebeschreibung, oder virtual[:SEED]</translation>
+    </message>
+    <message>
+        <source>calibration.json</source>
+        <translation>calibration.json</translation>
+    </message>
+</context>
+</TS>
