@@ -9,6 +9,7 @@
 
 #include "studio/fitted_picture.h"
 #include "studio/library_words.h"
+#include "studio/wrapped_tree.h"
 
 namespace dorsum {
 namespace {
@@ -20,7 +21,7 @@ QTreeWidget* MakeTable(const QString& name, const QString& title, const QStringL
   table->setAccessibleName(title);
   table->setHeaderLabels(header);
   table->setAlternatingRowColors(true);
-  table->setWordWrap(true);
+  WrapWords(table);
   return table;
 }
 
@@ -123,7 +124,7 @@ void CalibrationViews::ShowParts(const std::vector<PartReport>& parts,
     }
     item->setExpanded(part.grade != Grade::kGood);
   }
-  parts_->setColumnWidth(0, fontMetrics().averageCharWidth() * 48);
+  parts_->setColumnWidth(0, fontMetrics().averageCharWidth() * 40);
 }
 
 void CalibrationViews::ShowChanges() {

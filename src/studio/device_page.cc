@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "studio/library_words.h"
+#include "studio/wrapped_tree.h"
 
 namespace dorsum {
 namespace {
@@ -36,7 +37,7 @@ QTreeWidget* MakeTable(const QStringList& header, const QString& name, const QSt
   table->setAccessibleName(title);
   table->setHeaderLabels(header);
   table->setRootIsDecorated(false);
-  table->setWordWrap(true);
+  WrapWords(table);
   table->setAlternatingRowColors(true);
   return table;
 }

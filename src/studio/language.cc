@@ -47,7 +47,7 @@ void ChooseLanguage(const QString& code) {
 
 QString LanguageOf(const QStringList& desktop) {
   for (const QString& name : desktop) {
-    const QString code = name.section(QLatin1Char('-'), 0, 0).section(QLatin1Char('_'), 0, 0);
+    QString code = name.section(QLatin1Char('-'), 0, 0).section(QLatin1Char('_'), 0, 0);
     if (IsSpoken(code)) return code;
   }
   return kEnglish;

@@ -11,6 +11,7 @@ namespace dorsum {
 namespace {
 
 // %1 … %4 stand for values, or for texts that are known themselves.
+// NOLINTNEXTLINE(bugprone-suspicious-missing-comma): long sentences are several literals
 constexpr const char* kTexts[] = {
     // What to arrange (captures/series_plan.h, jobs/live_series.h).
     QT_TRANSLATE_NOOP(

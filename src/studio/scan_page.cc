@@ -23,6 +23,9 @@ void Enlarge(QWidget* widget, double factor) {
   widget->setFont(font);
 }
 
+// Words between which no line ends.
+QString Together(QString words) { return words.replace(' ', QChar::Nbsp); }
+
 }  // namespace
 
 ScanPage::ScanPage(Workbench* workbench, QWidget* parent)
@@ -49,14 +52,18 @@ ScanPage::ScanPage(Workbench* workbench, QWidget* parent)
   steps_->setObjectName("steps");
   steps_->setAccessibleName(tr("Progress of the scan"));
   steps_->setAlignment(Qt::AlignCenter);
+  steps_->setWordWrap(true);
   quality_->setObjectName("quality");
   quality_->setAccessibleName(tr("Quality of the fingers"));
   quality_->setAlignment(Qt::AlignCenter);
+  quality_->setWordWrap(true);
   quality_->setToolTip(
       tr("How much of each finger the surface covers, and the usual uncertainty of its heights"));
   folder_->setObjectName("folder");
   folder_->setAlignment(Qt::AlignCenter);
   folder_->setWordWrap(true);
+  // A path is one long word, which must not make the window wider than the screen.
+  folder_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   folder_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   stack_->addWidget(live_);
   stack_->addWidget(surface_);
@@ -184,7 +191,7 @@ QString ScanPage::StepsText() const {
     if (name == "surface") name = tr("surface");
     if (name.startsWith("stripesHand")) name = tr("laser %1").arg(name.mid(11).toInt() + 1);
     const bool done = i < model_->steps_done(), now = i == model_->steps_done();
-    words << (done ? "✓ " : now ? "▸ " : "· ") + name;
+    words << Together((done ? "✓ " : now ? "▸ " : "· ") + name);
   }
   return words.join("   ");
 }
@@ -195,7 +202,8 @@ QString ScanPage::QualityText() const {
   for (std::size_t i = 0; i < model_->fingers().size(); ++i) {
     const FingerQuality& finger = model_->fingers()[i];
     const QString text = tr("finger %1: %2 % covered, ±%3 mm");
-    words << text.arg(i + 1).arg(std::lround(100.0 * finger.covered)).arg(finger.sigma_mm, 0, 'f', 2);
+    words << Together(
+        text.arg(i + 1).arg(std::lround(100.0 * finger.covered)).arg(finger.sigma_mm, 0, 'f', 2));
   }
   return words.join("     ");
 }
@@ -216,6 +224,7 @@ void ScanPage::Update() {
   folder_->setText(state == ScanState::kKept
                        ? tr("Kept in %1").arg(QString::fromStdString(model_->taken()->folder.string()))
                        : tr("Is kept in %1").arg(folder));
+  folder_->setToolTip(folder_->text());
   const bool play = model_->is_virtual();
   place_label_->setVisible(play);
   place_->setVisible(play);

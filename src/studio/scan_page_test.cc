@@ -60,7 +60,9 @@ TEST_F(ScanPageTest, ANewcomerScansAVirtualHandFromOpeningToTheKeptFolder) {
   QSignalSpy drawn(surface, &TurningSurface::Drawn);
   ASSERT_TRUE(Reaches(*page->model(), ScanState::kShown)) << error_.value_or(Error{}).message;
   ASSERT_TRUE(drawn.count() > 0 || drawn.wait(kPatience_ms));
-  EXPECT_TRUE(page->findChild<QLabel*>("quality")->text().contains("finger 5"));
+  EXPECT_TRUE(
+      page->findChild<QLabel*>("quality")->text().contains(QString("finger") + QChar(QChar::Nbsp) + "5"));
+  EXPECT_LE(window.minimumSizeHint().width(), 1280);
   Picture(window, "shown");
   QTest::mouseClick(button, Qt::LeftButton);
   ASSERT_TRUE(Reaches(*page->model(), ScanState::kKept));

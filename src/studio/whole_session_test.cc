@@ -187,6 +187,8 @@ void WholeSessionTest::All() {
 TEST_F(WholeSessionTest, CalibratesScansKeepsMeasuresExportsAndClosesWithoutAWordOnTheConsole) {
   ASSERT_NO_FATAL_FAILURE(All());
   EXPECT_EQ(Said(), "");
+  EXPECT_LE(window_->minimumSizeHint().width(), 1280);
+  EXPECT_LE(window_->minimumSizeHint().height(), 800);
   window_->close();
   window_.reset();
   EXPECT_EQ(console_.said().join('\n').toStdString(), "");
