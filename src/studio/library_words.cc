@@ -11,7 +11,7 @@ namespace dorsum {
 namespace {
 
 // %1 … %4 stand for values, or for texts that are known themselves.
-// NOLINTNEXTLINE(bugprone-suspicious-missing-comma): long sentences are several literals
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): long sentences are several literals
 constexpr const char* kTexts[] = {
     // What to arrange (captures/series_plan.h, jobs/live_series.h).
     QT_TRANSLATE_NOOP(
@@ -149,6 +149,7 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("library",
                       "what was dropped is no file of this machine; drop a capture folder or a PLY file"),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 struct Pattern {
   const char* text;

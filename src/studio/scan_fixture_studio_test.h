@@ -58,7 +58,7 @@ class ScanTest : public ::testing::Test {
           change(*Hook(device));
           return true;
         },
-        [&](Result<bool>) { done = true; });
+        [&](const Result<bool>&) { done = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, kPatience_ms));
   }
 

@@ -43,7 +43,7 @@ class WholeSessionTest : public WindowTest {
   // The window answers: not later than five times what it takes at rest, or a tenth of a second. In a run of
   // the tests a machine may be busy otherwise, or draw in software: there the time of painting the window,
   // and what the machine takes from every thread, are the measure too.
-  void ExpectFluid(LoopProbe* probe, const char* during) {
+  void ExpectFluid(LoopProbe* probe, const char* during) const {
     const double gap = probe->longest_ms(), beside = probe->longest_beside_ms();
     std::printf(
         "[ figure ] longest wait while %s: %.0f ms (at rest %.0f ms, painting %.0f ms, a thread beside it "
