@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "captures/image_file.h"
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/files.h"
 #include "captures/green_channel.h"
 #include "captures/image_header.h"
 #include "captures/jpeg_image.h"
+#include "captures/png_image.h"
 
 namespace dorsum {
 namespace {
@@ -61,14 +60,8 @@ Result<cv::Mat> DecodeImage(const std::string& bytes, const std::string& name,
     if (image.empty()) return BadInput(name + " is damaged; copy or capture it again");
     return image;
   }
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-  cv::Mat image;
-  try {
-    image = cv::imdecode(buffer, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
-  if (image.empty() || image.cols != header->width || image.rows != header->height) {
+  cv::Mat image = DecodePng(bytes);
+  if (image.type() != CV_8UC3 || image.cols != header->width || image.rows != header->height) {
     return BadInput(name + " cannot be decoded; copy or capture it again");
   }
   return image;

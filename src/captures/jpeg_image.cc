@@ -3,6 +3,8 @@
 
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs it
+#include <cstdlib>
+#include <stdexcept>
 
 #include <jerror.h>
 #include <jpeglib.h>
@@ -68,7 +70,51 @@ bool DecodeInto(cv::Mat* image, std::string_view bytes, JpegErrors* errors) {
   return whole && !errors->damaged;
 }
 
+// The same holds here. `out` belongs to the caller, who frees it.
+bool EncodeInto(unsigned char** out, unsigned long* size, const cv::Mat& image, int quality, bool optimise,
+                JpegErrors* errors) {
+  jpeg_compress_struct info{};
+  info.err = jpeg_std_error(&errors->manager);
+  info.client_data = errors;
+  errors->manager.error_exit = OnFatalError;
+  errors->manager.emit_message = OnMessage;
+  if (setjmp(errors->escape) != 0) {
+    jpeg_destroy_compress(&info);
+    return false;
+  }
+  jpeg_create_compress(&info);
+  jpeg_mem_dest(&info, out, size);
+  info.image_width = static_cast<JDIMENSION>(image.cols);
+  info.image_height = static_cast<JDIMENSION>(image.rows);
+  info.input_components = image.channels();
+  info.in_color_space = image.channels() == 3 ? JCS_EXT_BGR : JCS_GRAYSCALE;
+  jpeg_set_defaults(&info);
+  jpeg_set_quality(&info, quality, TRUE);
+  info.optimize_coding = optimise ? TRUE : FALSE;
+  jpeg_start_compress(&info, TRUE);
+  while (info.next_scanline < info.image_height) {
+    JSAMPROW row = const_cast<unsigned char*>(image.ptr(static_cast<int>(info.next_scanline)));
+    jpeg_write_scanlines(&info, &row, 1);
+  }
+  jpeg_finish_compress(&info);
+  jpeg_destroy_compress(&info);
+  return true;
+}
+
 }  // namespace
+
+std::string EncodeJpeg(const cv::Mat& image, int quality, bool optimise) {
+  if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_8UC3))
+    throw std::logic_error("EncodeJpeg: a grey or colour picture of 8 bits is needed");
+  unsigned char* out = nullptr;
+  unsigned long size = 0;
+  JpegErrors errors;
+  const bool written = EncodeInto(&out, &size, image, quality, optimise, &errors);
+  std::string bytes(reinterpret_cast<const char*>(out), written ? size : 0);
+  std::free(out);
+  if (!written) throw std::runtime_error("libjpeg cannot encode a picture of this size");
+  return bytes;
+}
 
 cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size) {
   cv::Mat image(size, CV_8UC3);

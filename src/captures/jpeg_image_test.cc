@@ -92,5 +92,18 @@ TEST(JpegImage, NoBeginningOfAFileIsTakenForTheWhole) {
   EXPECT_TRUE(DecodeJpeg(whole, {256, 191}).empty());
 }
 
+TEST(JpegImageTest, WritesTheBytesThatOpenCvWrites) {
+  EXPECT_EQ(EncodeJpeg(Picture(), 83), Encode({cv::IMWRITE_JPEG_QUALITY, 83}));
+  EXPECT_EQ(EncodeJpeg(Picture(), 86, true),
+            Encode({cv::IMWRITE_JPEG_QUALITY, 86, cv::IMWRITE_JPEG_OPTIMIZE, 1}));
+  const cv::Mat part = Picture()(cv::Rect(3, 5, 101, 77));
+  EXPECT_EQ(DecodeJpeg(EncodeJpeg(part, 95), part.size()).size(), part.size());
+}
+
+TEST(JpegImageTest, AFloatPictureIsAContractBroken) {
+  EXPECT_THROW(EncodeJpeg(cv::Mat(2, 2, CV_32FC1), 90), std::logic_error);
+  EXPECT_THROW(EncodeJpeg(cv::Mat(), 90), std::logic_error);
+}
+
 }  // namespace
 }  // namespace dorsum

@@ -57,12 +57,10 @@ void Ask(CameraProperties& camera, int property, double value, const std::string
 std::vector<std::string> SetFormat(const CameraDesign& design, CameraProperties& camera) {
   std::vector<std::string> warnings;
   const bool raw = design.stream_format == "raw";
-  const int wanted =
-      raw ? cv::VideoWriter::fourcc('Y', 'U', 'Y', 'V') : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+  const int wanted = raw ? FourCc("YUYV") : FourCc("MJPG");
   camera.Set(cv::CAP_PROP_FOURCC, wanted);
   const double got = camera.Get(cv::CAP_PROP_FOURCC);
-  const bool jpeg = got == cv::VideoWriter::fourcc('M', 'J', 'P', 'G') ||
-                    got == cv::VideoWriter::fourcc('J', 'P', 'E', 'G');
+  const bool jpeg = got == FourCc("MJPG") || got == FourCc("JPEG");
   if (raw == jpeg)  // any format without loss is as good as the one that was asked for
     warnings.push_back(NotTaken("the stream format", raw ? "raw" : "mjpeg", FourCcText(got)));
   // Both together are one setting; the first waits for the second.

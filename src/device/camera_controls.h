@@ -9,6 +9,9 @@
 
 namespace dorsum {
 
+// The code of a format, of four letters: "MJPG".
+constexpr int FourCc(const char* name) { return name[0] | name[1] << 8 | name[2] << 16 | name[3] << 24; }
+
 // The properties of a camera as cv::VideoCapture has them: cv::CAP_PROP_… and a number.
 class CameraProperties {
  public:

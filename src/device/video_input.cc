@@ -17,6 +17,7 @@
 #include "captures/image_file.h"
 #include "device/camera_controls.h"
 #include "device/device_error.h"
+#include "device/video_capture.h"
 
 namespace dorsum {
 namespace {
@@ -35,12 +36,12 @@ std::string Seconds(double s) {
 
 class OpenCvProperties : public CameraProperties {
  public:
-  explicit OpenCvProperties(cv::VideoCapture& capture) : capture_(capture) {}
-  bool Set(int property, double value) override { return capture_.set(property, value); }
-  double Get(int property) const override { return capture_.get(property); }
+  explicit OpenCvProperties(VideoCapture& capture) : capture_(capture) {}
+  bool Set(int property, double value) override { return capture_.Set(property, value); }
+  double Get(int property) const override { return capture_.Get(property); }
 
  private:
-  cv::VideoCapture& capture_;
+  VideoCapture& capture_;
 };
 
 // What VideoCapture gives undecoded is decoded here: a damaged picture is then known for one, where FFmpeg
@@ -55,12 +56,14 @@ cv::Mat Decoded(const cv::Mat& raw) {
 
 class OpenCvInput : public VideoInput {
  public:
-  OpenCvInput(VideoKind kind, std::string name, CameraDesign design, const VideoLimits& limits)
+  OpenCvInput(std::unique_ptr<VideoCapture> capture, VideoKind kind, std::string name, CameraDesign design,
+              const VideoLimits& limits)
       : kind_(kind),
         name_(std::move(name)),
         design_(std::move(design)),
         limits_(limits),
-        properties_(captures_[0]) {}
+        capture_(std::move(capture)),
+        properties_(*capture_) {}
 
   Status OpenCamera(const std::string& device) {
     // VideoCapture does not say why it cannot open, so that is found out first.
@@ -73,20 +76,20 @@ class OpenCvInput : public VideoInput {
       return DeviceError(name_ + " cannot be opened: " + std::strerror(reason) + "; " + cure);
     }
     close(file);
-    if (!capture().open(device, cv::CAP_V4L2)) {
+    if (!capture_->Open(device, cv::CAP_V4L2, {})) {
       return DeviceError(name_ +
                          " cannot be opened as a camera; close other programs that use it, or choose "
                          "another one with camera.source");
     }
     warnings_ = SetFormat(design_, properties_);
-    if (IsJpeg()) raw_ = capture().set(cv::CAP_PROP_CONVERT_RGB, 0.0);
+    if (IsJpeg()) raw_ = capture_->Set(cv::CAP_PROP_CONVERT_RGB, 0.0);
     return {};
   }
 
   Status OpenWithFfmpeg(const std::string& place) {
     const double started_s = MonotonicSeconds();
     const bool opened =
-        capture().open(place, cv::CAP_FFMPEG,
+        capture_->Open(place, cv::CAP_FFMPEG,
                        {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, static_cast<int>(limits_.open_s * 1000.0),
                         cv::CAP_PROP_READ_TIMEOUT_MSEC, static_cast<int>(limits_.silence_s * 1000.0)});
     if (!opened) {
@@ -97,8 +100,8 @@ class OpenCvInput : public VideoInput {
                          (late ? " did not answer within " + Seconds(limits_.open_s) : " cannot be opened") +
                          "; check the address, and that the camera is on and in the network");
     }
-    if (IsJpeg()) raw_ = capture().set(cv::CAP_PROP_FORMAT, -1.0);
-    frames_promised_ = capture().get(cv::CAP_PROP_FRAME_COUNT);
+    if (IsJpeg()) raw_ = capture_->Set(cv::CAP_PROP_FORMAT, -1.0);
+    frames_promised_ = capture_->Get(cv::CAP_PROP_FRAME_COUNT);
     return {};
   }
 
@@ -109,14 +112,14 @@ class OpenCvInput : public VideoInput {
         return Silent();
       }
       const double asked_s = MonotonicSeconds();
-      if (!capture().grab()) {
+      if (!capture_->Grab()) {
         if (kind_ == VideoKind::kCamera && Forgive()) return std::optional<Picture>();
         return WhyNoMore(MonotonicSeconds() - asked_s);
       }
       Picture picture;
       picture.time_s = Stamp();
       cv::Mat image;
-      if (capture().retrieve(image)) picture.image = raw_ ? Decoded(image) : image.clone();
+      if (capture_->Retrieve(&image)) picture.image = raw_ ? Decoded(image) : image.clone();
       if (picture.image.type() != CV_8UC3) picture.image.release();
       last_s_ = MonotonicSeconds();
       ++frames_read_;
@@ -139,21 +142,16 @@ class OpenCvInput : public VideoInput {
   const std::vector<std::string>& warnings() const override { return warnings_; }
 
  private:
-  cv::VideoCapture& capture() { return captures_[0]; }
-
   bool IsJpeg() {
-    const int code = static_cast<int>(capture().get(cv::CAP_PROP_FOURCC));
+    const int code = static_cast<int>(capture_->Get(cv::CAP_PROP_FOURCC));
     for (const char* name : {"MJPG", "JPEG", "mjpg", "mjpe", "jpeg"}) {
-      if (code == cv::VideoWriter::fourcc(name[0], name[1], name[2], name[3])) return true;
+      if (code == FourCc(name)) return true;
     }
     return false;
   }
 
   // grab() of a camera would wait for ten seconds, deaf to everything; so it is asked when there is a frame.
-  bool Wait() {
-    std::vector<int> ready;
-    return cv::VideoCapture::waitAny(captures_, ready, kPoll_ns) && !ready.empty();
-  }
+  bool Wait() { return capture_->Wait(kPoll_ns); }
 
   // A single transfer may fail; a camera that was unplugged fails at each.
   bool Forgive() {
@@ -166,7 +164,7 @@ class OpenCvInput : public VideoInput {
   double Stamp() {
     const double now_s = MonotonicSeconds();
     if (kind_ != VideoKind::kCamera) return now_s;
-    const double driver_s = capture().get(cv::CAP_PROP_POS_MSEC) / 1000.0;
+    const double driver_s = capture_->Get(cv::CAP_PROP_POS_MSEC) / 1000.0;
     return driver_s > now_s - kOldest_s && driver_s <= now_s ? driver_s : now_s;
   }
 
@@ -193,7 +191,7 @@ class OpenCvInput : public VideoInput {
   const std::string name_;
   const CameraDesign design_;
   const VideoLimits limits_;
-  std::vector<cv::VideoCapture> captures_{1};  // one; waitAny() wants a list
+  const std::unique_ptr<VideoCapture> capture_;
   OpenCvProperties properties_;
   std::vector<std::string> warnings_;
   bool raw_ = false;
@@ -207,7 +205,9 @@ class OpenCvInput : public VideoInput {
 
 Result<std::unique_ptr<VideoInput>> VideoInput::Open(VideoKind kind, const std::string& place,
                                                      const CameraDesign& design, const VideoLimits& limits) {
-  auto input = std::make_unique<OpenCvInput>(kind, VideoName(kind, place), design, limits);
+  DORSUM_ASSIGN_OR_RETURN(std::unique_ptr<VideoCapture> capture, MakeVideoCapture());
+  auto input =
+      std::make_unique<OpenCvInput>(std::move(capture), kind, VideoName(kind, place), design, limits);
   try {
     DORSUM_RETURN_IF_ERROR(kind == VideoKind::kCamera ? input->OpenCamera(place)
                                                       : input->OpenWithFfmpeg(place));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/design_outputs.h"
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/files.h"
 #include "captures/device_description_toml.h"
+#include "captures/png_image.h"
 #include "jobs/design_page.h"
 
 namespace dorsum {
@@ -17,10 +16,7 @@ Result<std::vector<std::string>> WriteDesign(const DesignSummary& summary,
   DORSUM_RETURN_IF_ERROR(
       WriteFile(dir / "device.toml", DeviceDescriptionToToml(summary.report.device.description)));
   DORSUM_RETURN_IF_ERROR(WriteJson(dir / "design.json", SummaryToJson(summary)));
-  std::vector<unsigned char> png;
-  cv::imencode(".png", Overview(summary.report, pictures), png, {cv::IMWRITE_PNG_COMPRESSION, 6});
-  DORSUM_RETURN_IF_ERROR(
-      WriteFile(dir / "design.png", {reinterpret_cast<const char*>(png.data()), png.size()}));
+  DORSUM_RETURN_IF_ERROR(WriteFile(dir / "design.png", EncodePng(Overview(summary.report, pictures), 6)));
   DORSUM_RETURN_IF_ERROR(WriteFile(dir / "design.html", DesignPage(summary, pictures)));
   DORSUM_RETURN_IF_ERROR(staged.Commit());
   return std::vector<std::string>{"device.toml", "design.json", "design.png", "design.html"};

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <set>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
+#include "captures/green_channel.h"
 #include "captures/image_file.h"
 #include "captures/image_header.h"
+#include "captures/jpeg_image.h"
+#include "captures/png_image.h"
 #include "surface/mesh_height.h"
 #include "surface/ply.h"
 
@@ -31,13 +33,9 @@ Result<cv::Mat> ReadShrunkMask(const std::filesystem::path& dir, double shrink_p
   const bool usable = header.ok() && header->complete && header->intact &&
                       static_cast<long>(header->width) * header->height <= kMaxPixels;
   if (!usable) return BadInput(path.string() + " is no image; reconstruct again");
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-  cv::Mat mask;
-  try {
-    mask = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
-  } catch (const cv::Exception&) {
-    mask.release();
-  }
+  cv::Mat mask =
+      header->format == "JPEG" ? DecodeJpeg(bytes, {header->width, header->height}) : DecodePng(bytes);
+  if (mask.channels() == 3) mask = GreenChannel(mask);
   if (mask.empty()) return BadInput(path.string() + " is no image; reconstruct again");
   cv::Mat distance;
   cv::copyMakeBorder(mask, mask, 1, 1, 1, 1, cv::BORDER_REPLICATE);  // the image's edge is not the object's

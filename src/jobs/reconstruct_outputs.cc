@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/files.h"
 #include "base/version.h"
+#include "captures/png_image.h"
 #include "jobs/reconstruct_report.h"
 #include "surface/height_file.h"
 #include "surface/mesh_export.h"
@@ -14,13 +13,6 @@
 
 namespace dorsum {
 namespace {
-
-Status WritePng(const std::filesystem::path& path, const cv::Mat& image) {
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", image, bytes))
-    return Error{ErrorCode::kInternal, "an image could not be encoded as PNG"};
-  return WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
 
 Json Stages(const ReconstructOptions& asked) {
   const ReconstructOptions o = ResolveStages(asked);
@@ -93,7 +85,7 @@ Status WriteReconstruction(const std::filesystem::path& dir, const ReconstructRe
                            const Reconstruction& result, const CaptureImages& capture,
                            const LoadedCalibration& calibration, const Context& context) {
   DORSUM_RETURN_IF_ERROR(WritePointsPly(dir / "points.ply", result.points));
-  DORSUM_RETURN_IF_ERROR(WritePng(dir / "mask.png", result.mask.mask));
+  DORSUM_RETURN_IF_ERROR(WriteFile(dir / "mask.png", EncodePng(result.mask.mask)));
   DORSUM_RETURN_IF_ERROR(WriteHeightField(dir, result.height_field));
   for (const std::string& format : request.mesh_formats) {
     if (result.mesh.faces.empty() && format != "ply") continue;  // the warning about the empty mesh says why
@@ -107,8 +99,7 @@ Status WriteReconstruction(const std::filesystem::path& dir, const ReconstructRe
   const ReportPages pages =
       MakeReconstructionReport(CollectReportData(request, result, capture, calibration.ready), context);
   DORSUM_RETURN_IF_ERROR(WriteFile(dir / "report.html", pages.html));
-  return WriteFile(dir / "overview.png",
-                   {reinterpret_cast<const char*>(pages.overview_png.data()), pages.overview_png.size()});
+  return WriteFile(dir / "overview.png", pages.overview_png);
 }
 
 // What an earlier run with other options wrote to the same folder belongs to another surface.

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/files.h"
+#include "captures/jpeg_image.h"
+#include "captures/png_image.h"
 #include "report/drawing.h"
 #include "report/html_style.h"
 
@@ -78,15 +78,9 @@ std::string EscapeHtml(std::string_view text) {
 
 std::string ImageUri(const cv::Mat& picture, ImageKind kind) {
   if (picture.empty()) return {};
-  std::vector<unsigned char> bytes;
-  const bool is_photo = kind == ImageKind::kPhoto;
-  if (is_photo) {
-    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 86, cv::IMWRITE_JPEG_OPTIMIZE, 1});
-  } else {
-    cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 9});
-  }
-  return std::string(is_photo ? "data:image/jpeg;base64," : "data:image/png;base64,") +
-         EncodeBase64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (kind == ImageKind::kPhoto)
+    return "data:image/jpeg;base64," + EncodeBase64(EncodeJpeg(picture, 86, true));
+  return "data:image/png;base64," + EncodeBase64(EncodePng(picture, 9));
 }
 
 HtmlPage::HtmlPage(const std::string& title, const std::string& subtitle) : title_(title) {

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/median.h"
+#include "captures/png_image.h"
 #include "report/drawing.h"
 #include "report/height_picture.h"
 #include "report/html.h"
@@ -199,7 +198,7 @@ ReportPages MakeReconstructionReport(const ReconstructionReportData& data, const
   const Pictures pictures = DrawAll(data, context);
   ReportPages pages;
   pages.html = MakeHtml(data, pictures);
-  cv::imencode(".png", DrawOverview(data, pictures), pages.overview_png, {cv::IMWRITE_PNG_COMPRESSION, 6});
+  pages.overview_png = EncodePng(DrawOverview(data, pictures), 6);
   return pages;
 }
 

@@ -36,7 +36,7 @@ struct ReconstructionReportData {
 
 struct ReportPages {
   std::string html;
-  std::vector<unsigned char> overview_png;
+  std::string overview_png;
 };
 
 // The page of a reconstruction, self-contained, and the same in one picture. Holds no date: the same data

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "captures/png_image.h"
 #include "surface/height_mesh.h"
 
 namespace dorsum {
@@ -47,7 +48,7 @@ TEST(ReconstructionReport, HoldsAllItsParts) {
                            "data:image/png", "Dorsum 1.2.3", "&#10003; good", "2 to 2", "0.250"}) {
     EXPECT_THAT(pages.html, HasSubstr(text));
   }
-  const cv::Mat overview = cv::imdecode(pages.overview_png, cv::IMREAD_COLOR);
+  const cv::Mat overview = DecodePng(pages.overview_png);
   EXPECT_EQ(overview.cols, 1800);
   EXPECT_GT(overview.rows, 900);
 }

@@ -9,25 +9,16 @@
 #include <stdexcept>
 #include <string>
 
-#include <opencv2/imgcodecs.hpp>
 #include <zlib.h>
 
 #include "base/files.h"
 #include "captures/picture_file.h"
+#include "captures/png_image.h"
 
 namespace dorsum {
 namespace {
 
 constexpr double kHeightStepMm = 0.002;
-
-Status WriteEncoded(const cv::Mat& image, const std::string& extension, const std::vector<int>& parameters,
-                    const std::filesystem::path& path) {
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(extension, image, bytes, parameters)) {
-    return Error{ErrorCode::kInternal, "cannot encode " + path.string()};
-  }
-  return WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
 
 // gzip (RFC 1952) without name and time, so that the same table gives the same bytes.
 std::string Gzip(const std::string& text) {
@@ -64,14 +55,14 @@ Status WriteHeights(const View& view, const std::filesystem::path& path) {
     const double step = std::round(sample.position.z() / kHeightStepMm) + 1.0;
     *code++ = sample.part < 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(std::clamp(step, 1.0, 65535.0));
   }
-  return WriteEncoded(codes, ".png", {cv::IMWRITE_PNG_COMPRESSION, 3}, path);
+  return WriteFile(path, EncodePng(codes));
 }
 
 Status WriteMaterials(const View& view, const std::filesystem::path& path) {
   cv::Mat materials(view.height, view.width, CV_8U);
   auto* out = materials.ptr<std::uint8_t>();
   for (const SurfaceSample& sample : view.centre) *out++ = static_cast<std::uint8_t>(sample.material);
-  return WriteEncoded(materials, ".png", {cv::IMWRITE_PNG_COMPRESSION, 3}, path);
+  return WriteFile(path, EncodePng(materials));
 }
 
 Status WriteStripes(const std::vector<TrueStripePoint>& points, const std::filesystem::path& path) {

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/height_file.h"
 
-#include <vector>
-
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/files.h"
 #include "base/json.h"
+#include "surface/tiff_image.h"
 
 namespace dorsum {
 
 Status WriteHeightField(const std::filesystem::path& folder, const HeightField& field) {
   if (field.z.empty()) return {};
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(".tiff", field.z, bytes)) {
-    return Error{ErrorCode::kInternal, "the height field could not be encoded as TIFF"};
-  }
-  DORSUM_RETURN_IF_ERROR(
-      WriteFile(folder / "height.tiff", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  DORSUM_RETURN_IF_ERROR(WriteFile(folder / "height.tiff", EncodeTiff(field.z)));
   const Json json = {{"schema", "dorsum/height"},
                      {"version", 1},
                      {"file", "height.tiff"},
