@@ -8,6 +8,7 @@
 #include "accuracy/document.h"
 #include "base/files.h"
 #include "base/heap.h"
+#include "captures/picture_pool.h"
 #include "cli/session.h"
 #include "speed/benches.h"
 
@@ -131,6 +132,7 @@ int Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   dorsum::KeepFreedMemory();  // as the products do
+  dorsum::KeepPictureMemory();
   dorsum::CatchInterrupts();
   try {
     return dorsum::speed::Run(argc, argv);

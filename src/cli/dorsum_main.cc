@@ -9,6 +9,7 @@
 
 #include "base/heap.h"
 #include "base/version.h"
+#include "captures/picture_pool.h"
 #include "cli/commands.h"
 
 namespace {
@@ -62,6 +63,7 @@ int RunProgram(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   dorsum::KeepFreedMemory();
+  dorsum::KeepPictureMemory();
   dorsum::CatchInterrupts();
   // FFmpeg would put its own words on the standard error, beside our sentence; -8 is its "quiet".
   setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);

@@ -3,11 +3,15 @@
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
 
+#include "base/heap.h"
 #include "base/version.h"
+#include "captures/picture_pool.h"
 #include "studio/language.h"
 #include "studio/main_window.h"
 
 int main(int argc, char** argv) {
+  dorsum::KeepFreedMemory();
+  dorsum::KeepPictureMemory();
   // FFmpeg would put its own words on the standard error; -8 is its "quiet".
   qputenv("OPENCV_FFMPEG_LOGLEVEL", "-8");
   QSurfaceFormat format;
