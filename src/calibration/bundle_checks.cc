@@ -3,33 +3,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
 #include <Eigen/Cholesky>
 
 #include "base/median.h"
-#include "calibration/bundle_functions.h"
+#include "base/parallel.h"
+#include "calibration/stripe_models.h"
 #include "geometry/calibration.h"
 
 namespace dorsum {
 namespace {
 
-Eigen::Vector3d PlacePoint(const BundleState& s, const SheetPoint& p) {
-  return bundle::PointOnPlane<double>(s.lens.value.data(), s.camera_from_world.start,
-                                      s.camera_from_world.value.data(),
-                                      s.planes[static_cast<std::size_t>(p.plane)].data(), {p.u, p.v});
-}
-
 // Shift, slope along y and stretch along x of the misses, fitted with weights that drop outliers.
 double LowOrderOff(const BundleState& state, const std::vector<SheetPoint>& points) {
+  const StripeModels models(state);
   std::vector<Eigen::Vector3d> rows;
   std::vector<double> misses;
   for (const SheetPoint& p : points) {
-    const Eigen::Vector3d at = PlacePoint(state, p);
+    const StripeModel& model = models.Of(p.laser, p.plane);
+    const Eigen::Vector3d at = model.Place({p.u, p.v});
     rows.emplace_back(1.0, at.x() / 100.0, at.y() / 100.0);
-    misses.push_back(OrderMiss(state, p) / p.orders_per_px * p.mm_per_px);
+    misses.push_back((model.Order({p.u, p.v}) - p.order) / p.orders_per_px * p.mm_per_px);
   }
   Eigen::Vector3d fit(Median(misses), 0.0, 0.0);
   for (int pass = 0; pass < 8; ++pass) {
@@ -101,35 +100,59 @@ Result<BoardCheck> CheckBoard(const BundleData& data, const BundleState& state,
 
 Result<std::vector<SeriesCheck>> CheckSeries(const BundleData& data, const BundleState& state,
                                              const BundleProblemOptions& options, const Context& context) {
+  struct Task {
+    int laser = 0, source = 0;
+    const BundleData* all = nullptr;  // of the laser
+    std::optional<SeriesCheck> check;
+    Status status;
+  };
   constexpr int kThin = 3;
-  std::vector<SeriesCheck> checks;
-  for (std::size_t k = 0; k < state.fans.size(); ++k) {
-    const BundleData all = OneLaser(data, static_cast<int>(k), kThin);
+  std::vector<BundleData> lasers;
+  for (std::size_t k = 0; k < state.fans.size(); ++k)
+    lasers.push_back(OneLaser(data, static_cast<int>(k), kThin));
+  std::vector<Task> tasks;
+  for (std::size_t k = 0; k < lasers.size(); ++k) {
+    std::set<int> sources;
+    for (const SheetPoint& p : lasers[k].points) sources.insert(p.source);
+    for (const int source : sources) tasks.push_back({static_cast<int>(k), source, &lasers[k], {}, {}});
+  }
+  Context quiet = context;
+  quiet.progress = nullptr;
+  quiet.threads = 1;
+  ParallelFor(context, 0, static_cast<std::int64_t>(tasks.size()), [&](std::int64_t i) {
+    Task& task = tasks[static_cast<std::size_t>(i)];
     // Heights as given, since a laser that moved pulls at those that were fitted.
     BundleState start = state;
-    start.fans = {state.fans[k]};
-    for (std::size_t i = 1; i < start.planes.size(); ++i) {
-      if (data.planes[i].sd_mm < kUnknownHeightSd) start.planes[i] = {data.planes[i].given_mm, 0.0, 0.0};
+    start.fans = {state.fans[static_cast<std::size_t>(task.laser)]};
+    for (std::size_t plane = 1; plane < start.planes.size(); ++plane) {
+      if (data.planes[plane].sd_mm < kUnknownHeightSd)
+        start.planes[plane] = {data.planes[plane].given_mm, 0.0, 0.0};
     }
-    std::set<int> sources;
-    for (const SheetPoint& p : all.points) sources.insert(p.source);
-    for (const int source : sources) {
-      BundleData rest = all;
-      std::vector<SheetPoint> left;
-      for (const SheetPoint& p : all.points) {
-        if (p.source == source) left.push_back(p);
-      }
-      std::erase_if(rest.points, [source](const SheetPoint& p) { return p.source == source; });
-      std::set<int> planes;
-      for (const SheetPoint& p : rest.points) planes.insert(p.plane);
-      if (planes.size() < 2 || left.size() < 50) continue;
-      BundleProblemOptions fans_only = options;
-      fans_only.move_camera = false;
-      fans_only.uncertainties = false;
-      DORSUM_ASSIGN_OR_RETURN(const BundleSolution without, SolveBundle(rest, start, fans_only, context));
-      checks.push_back({static_cast<int>(k), source, LowOrderOff(without.state, left),
-                        std::sqrt(without.variance_factor)});
+    BundleData rest = *task.all;
+    std::vector<SheetPoint> left;
+    std::set<int> planes;
+    std::erase_if(rest.points, [&](const SheetPoint& p) {
+      const bool out = p.source == task.source;
+      if (out) left.push_back(p);
+      if (!out) planes.insert(p.plane);
+      return out;
+    });
+    if (planes.size() < 2 || left.size() < 50) return;
+    BundleProblemOptions fans_only = options;
+    fans_only.move_camera = false;
+    fans_only.uncertainties = false;
+    const Result<BundleSolution> without = SolveBundle(rest, start, fans_only, quiet);
+    if (!without.ok()) {
+      task.status = without.error();
+      return;
     }
+    task.check = SeriesCheck{task.laser, task.source, LowOrderOff(without->state, left),
+                             std::sqrt(without->variance_factor)};
+  });
+  std::vector<SeriesCheck> checks;
+  for (const Task& task : tasks) {
+    DORSUM_RETURN_IF_ERROR(task.status);
+    if (task.check) checks.push_back(*task.check);
   }
   return checks;
 }
@@ -137,19 +160,7 @@ Result<std::vector<SeriesCheck>> CheckSeries(const BundleData& data, const Bundl
 double HeightUncertainty(const BundleState& state, const Eigen::MatrixXd& covariance, int fan, int min_order,
                          int max_order, double min_height_mm, double max_height_mm) {
   constexpr int kCamera = kLensSize + kPoseSize, kAll = kCamera + kFanSize;
-  using Jet = ceres::Jet<double, kAll>;
-  const FanParameters& f = state.fans[static_cast<std::size_t>(fan)];
-  std::array<Jet, kLensSize> lens;
-  std::array<Jet, kPoseSize> pose;
-  std::array<Jet, kFanSize> sheets;
-  for (int i = 0; i < kLensSize; ++i)
-    lens[static_cast<std::size_t>(i)] = Jet(state.lens.value[static_cast<std::size_t>(i)], i);
-  for (int i = 0; i < kPoseSize; ++i) {
-    pose[static_cast<std::size_t>(i)] =
-        Jet(state.camera_from_world.value[static_cast<std::size_t>(i)], kLensSize + i);
-  }
-  for (int i = 0; i < kFanSize; ++i)
-    sheets[static_cast<std::size_t>(i)] = Jet(f.value[static_cast<std::size_t>(i)], kCamera + i);
+  static_assert(kCamera == kStripeFan && kAll == kStripePlane);
   // The covariance of just these parameters.
   Eigen::MatrixXd part(kAll, kAll);
   const int from = kCamera + kFanSize * fan;
@@ -160,19 +171,17 @@ double HeightUncertainty(const BundleState& state, const Eigen::MatrixXd& covari
   double sum = 0.0, count = 0.0;
   for (const double share : {0.0, 0.5, 1.0}) {
     const double z = min_height_mm + share * (max_height_mm - min_height_mm);
+    const StripeModel model(state.lens, state.camera_from_world, state.fans[static_cast<std::size_t>(fan)],
+                            {z, 0.0, 0.0});
     for (int column = 1; column < 10; ++column) {
       for (int row = 0; row < 5; ++row) {
         const Eigen::Vector2d pixel(0.1 * column * (state.width - 1), 0.25 * row * (state.height - 1));
-        const auto order_at = [&](double height) {
-          const std::array<Jet, kPlaneSize> plane = {Jet(height), Jet(0.0), Jet(0.0)};
-          return bundle::OrderAt<Jet>(f.start, sheets.data(),
-                                      bundle::PointOnPlane<Jet>(lens.data(), state.camera_from_world.start,
-                                                                pose.data(), plane.data(), pixel));
-        };
-        const Jet here = order_at(z);
-        if (!std::isfinite(here.a) || here.a < min_order - 0.5 || here.a > max_order + 0.5) continue;
-        const double slope = (order_at(z + 0.05).a - order_at(z - 0.05).a) / 0.1;
-        const double variance = here.v.dot(part * here.v) / (slope * slope);
+        StripeSearch search;
+        StripeDerivatives derivatives{};
+        const double order = model.Order(pixel, true, &search, &derivatives);
+        if (!std::isfinite(order) || order < min_order - 0.5 || order > max_order + 0.5) continue;
+        const Eigen::Map<const Eigen::Matrix<double, kAll, 1>> by(derivatives.data());
+        const double variance = by.dot(part * by) / std::pow(derivatives[kStripePlane], 2);
         if (!std::isfinite(variance)) continue;
         sum += std::max(0.0, variance);
         count += 1.0;

@@ -1,20 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "calibration/bundle_model.h"
 
-#include <Eigen/Geometry>
+#include "calibration/turn.h"
 
 namespace dorsum {
-namespace {
-
-Eigen::Matrix3d Exp(const double* turn) {
-  const Eigen::Vector3d w(turn[0], turn[1], turn[2]);
-  const double angle = w.norm();
-  if (angle == 0.0) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
-}
-
-}  // namespace
-
 LensParameters LensFromCamera(const Camera& c) {
   return {{c.fx, c.fy, c.cx, c.cy, c.distortion[0], c.distortion[1], c.distortion[2], c.distortion[3],
            c.distortion[4]}};
@@ -55,11 +44,13 @@ Camera CameraFromParameters(const LensParameters& lens, const PoseParameters& ca
 }
 
 Rigid3 RigidFromPose(const PoseParameters& pose) {
-  return {pose.start * Exp(pose.value.data()), {pose.value[3], pose.value[4], pose.value[5]}};
+  return {pose.start * TurnMatrix({pose.value[0], pose.value[1], pose.value[2]}),
+          {pose.value[3], pose.value[4], pose.value[5]}};
 }
 
 DiffractedFan GeometryFromFan(const FanParameters& p) {
-  const Eigen::Matrix3d axes = Exp(p.value.data() + kFanTurn) * p.start;
+  const Eigen::Matrix3d axes =
+      TurnMatrix({p.value[kFanTurn], p.value[kFanTurn + 1], p.value[kFanTurn + 2]}) * p.start;
   DiffractedFan fan;
   fan.origin = {p.value[0], p.value[1], p.value[2]};
   fan.a = axes.col(0);

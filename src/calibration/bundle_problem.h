@@ -86,8 +86,9 @@ struct BundleSolution {
   std::vector<double> height_sd;  // of each plane's height, mm, when asked for; 0 where it was fixed
 };
 
-// Least squares over the chessboards' corners and the stripes on planes of known height (COLMAP-like bundle
-// adjustment with Ceres on one thread, so that bytes repeat). A stripe point's residual is the fraction by
+// Least squares over the chessboards' corners and the stripes on planes of known height: a bundle adjustment
+// by Levenberg and Marquardt with Cauchy's loss and one dense normal matrix, since points are many and
+// parameters few; the same bytes at any number of threads. A stripe point's residual is the fraction by
 // which the order of the fan through it misses a whole number, in units of its sd. Weak priors hold what the
 // data leave open: the split between a fan's tilt and its turn about b, its turn about a against its place
 // along y, and its skew against its turn about n.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "calibration/bundle_functions.h"
+#include "calibration/stripe_models.h"
 
 namespace dorsum {
 namespace {
@@ -23,11 +23,11 @@ double HeightPerMm(const BundleCalibration& c, const SheetPoint& p, const Eigen:
 
 std::vector<SheetResidual> Residuals(const BundleCalibration& c) {
   std::vector<SheetResidual> out;
+  const StripeModels models(c.solution.state);
   for (const SheetPoint& p : c.data.points) {
-    const BundleState& s = c.solution.state;
-    const Eigen::Vector3d at = bundle::PointOnPlane<double>(
-        s.lens.value.data(), s.camera_from_world.start, s.camera_from_world.value.data(),
-        s.planes[static_cast<std::size_t>(p.plane)].data(), {p.u, p.v});
+    const StripeModel& model = models.Of(p.laser, p.plane);
+    const Eigen::Vector2d pixel(p.u, p.v);
+    const Eigen::Vector3d at = model.Place(pixel);
     SheetResidual r;
     r.laser = c.device.lasers[static_cast<std::size_t>(p.laser)].laser;
     r.order = p.order;
@@ -35,7 +35,7 @@ std::vector<SheetResidual> Residuals(const BundleCalibration& c) {
     r.height_mm = c.data.planes[static_cast<std::size_t>(p.plane)].given_mm;
     r.x_mm = at.x();
     r.y_mm = at.y();
-    r.miss_mm = OrderMiss(s, p) / p.orders_per_px * p.mm_per_px;
+    r.miss_mm = (model.Order(pixel) - p.order) / p.orders_per_px * p.mm_per_px;
     r.sd_mm = p.sd_px * p.mm_per_px;
     r.height_per_mm = HeightPerMm(c, p, at);
     out.push_back(r);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/bundle_functions.h"
+#include "calibration/stripe_models.h"
 
 namespace dorsum {
 namespace {
@@ -17,7 +17,7 @@ struct Fit {
 class Assigner {
  public:
   Assigner(const BundleState& state, const SheetAssignmentOptions& options)
-      : state_(state), options_(options) {}
+      : models_(state), options_(options) {}
 
   void AddPicture(const SheetPicture& picture, int source, std::vector<SheetPoint>* out) const {
     for (const StripeSegment& segment : picture.stripes.segments) {
@@ -32,23 +32,16 @@ class Assigner {
   }
 
  private:
-  double Order(int laser, int plane, double u, double v) const {
-    SheetPoint p;
-    p.laser = laser;
-    p.plane = plane;
-    p.u = u;
-    p.v = v;
-    return OrderMiss(state_, p);
-  }
-
   Fit FitPlane(const SheetPicture& picture, const StripeSegment& segment, int plane) const {
     Fit fit;
     fit.plane = plane;
+    const StripeModel& model = models_.Of(picture.laser, plane);
+    StripeSearch search;
     std::vector<double> orders;
     const int step = std::max(1, segment.count / 40);
     for (std::int32_t i = segment.first; i < segment.first + segment.count; i += step) {
       const StripePoint& p = picture.stripes.points[static_cast<std::size_t>(i)];
-      orders.push_back(Order(picture.laser, plane, p.u, p.v));
+      orders.push_back(model.Order({p.u, p.v}, &search));
     }
     const auto middle = orders.begin() + static_cast<std::ptrdiff_t>(orders.size() / 2);
     std::nth_element(orders.begin(), middle, orders.end());
@@ -80,6 +73,7 @@ class Assigner {
 
   void AddPoints(const SheetPicture& picture, const StripeSegment& segment, int source, const Fit& fit,
                  std::vector<SheetPoint>* out) const {
+    const StripeModel& model = models_.Of(picture.laser, fit.plane);
     const std::int32_t end = segment.first + segment.count - options_.end_rows;
     for (std::int32_t i = segment.first + options_.end_rows; i < end; i += options_.every_rows) {
       const StripePoint& p = picture.stripes.points[static_cast<std::size_t>(i)];
@@ -92,22 +86,15 @@ class Assigner {
       point.v = p.v;
       point.sd_px = p.sd_px;
       point.peak = p.peak;
-      if (!(std::abs(OrderMiss(state_, point)) <= options_.tolerance)) continue;
-      point.orders_per_px = std::abs(Order(picture.laser, fit.plane, p.u + 0.5, p.v) -
-                                     Order(picture.laser, fit.plane, p.u - 0.5, p.v));
-      const auto x_at = [&](double u) {
-        return bundle::PointOnPlane<double>(state_.lens.value.data(), state_.camera_from_world.start,
-                                            state_.camera_from_world.value.data(),
-                                            state_.planes[static_cast<std::size_t>(fit.plane)].data(),
-                                            {u, p.v})
-            .x();
-      };
-      point.mm_per_px = std::abs(x_at(p.u + 0.5) - x_at(p.u - 0.5));
+      const StripeModel::Along along = model.OrderAlong({p.u, p.v});
+      if (!(std::abs(along.order - fit.order) <= options_.tolerance)) continue;
+      point.orders_per_px = along.orders_per_px;
+      point.mm_per_px = along.mm_per_px;
       if (point.orders_per_px > 0.0 && std::isfinite(point.orders_per_px)) out->push_back(point);
     }
   }
 
-  const BundleState& state_;
+  const StripeModels models_;
   const SheetAssignmentOptions& options_;
 };
 
