@@ -23,7 +23,10 @@ class Bundler {
   Result<BundleCalibration> Run(const CameraCalibration& camera) {
     DORSUM_RETURN_IF_ERROR(CollectBoards(series_, camera, context_, &out_.data, &out_.warnings));
     out_.data.planes = PlanesOfSeries(series_);
-    DORSUM_ASSIGN_OR_RETURN(pictures_, FindSheetPictures(series_, options_.pictures, context_));
+    SheetPictureOptions pictures = options_.pictures;
+    pictures.pooling.every_rows = options_.assignment.every_rows;
+    pictures.pooling.first_row = options_.assignment.end_rows;
+    DORSUM_ASSIGN_OR_RETURN(pictures_, FindSheetPictures(series_, pictures, context_));
     for (const SheetPicture& p : pictures_) {
       out_.pictures.push_back(p.name);
       out_.laser_of_picture.push_back(p.laser);

@@ -38,8 +38,12 @@ class Assigner {
     const StripeModel& model = models_.Of(picture.laser, plane);
     StripeSearch search;
     std::vector<double> orders;
-    const int step = std::max(1, segment.count / 40);
-    for (std::int32_t i = segment.first; i < segment.first + segment.count; i += step) {
+    // The rows that become points say it best; short segments have too few of them.
+    constexpr int kEnough = 4, kMost = 40;
+    const bool few = segment.count < options_.end_rows + kEnough * options_.every_rows;
+    const int from = few ? 0 : options_.end_rows;
+    const int step = few ? std::max(1, segment.count / kMost) : options_.every_rows;
+    for (std::int32_t i = segment.first + from; i < segment.first + segment.count; i += step) {
       const StripePoint& p = picture.stripes.points[static_cast<std::size_t>(i)];
       orders.push_back(model.Order({p.u, p.v}, &search));
     }

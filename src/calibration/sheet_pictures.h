@@ -25,7 +25,7 @@ struct SheetPicture {
   std::string series;       // "backplane", "Further", "Closer", "box 13.5 mm"
   int laser = 0;            // index into the series' lasers
   std::vector<int> planes;  // which may be seen, the expected one first
-  LaserStripes stripes;     // pooled along the stripe
+  LaserStripes stripes;     // pooled along the stripe, where the options say
 };
 
 // Planes of a series: the backplane, the calibration object's top, the boxes' tops.

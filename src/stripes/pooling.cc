@@ -74,7 +74,9 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
     const auto from = stripes.points.begin() + stripes.segments[i].first;
     const std::vector<double> pull =
         BrightnessPull(std::vector<StripePoint>(from, from + stripes.segments[i].count), options.pull);
-    for (std::size_t k = 0; k < curve.v.size(); ++k) {
+    const auto first = static_cast<std::size_t>(options.first_row);
+    const auto step = static_cast<std::size_t>(options.every_rows);
+    for (std::size_t k = first; k < curve.v.size(); k += step) {
       const Choice choice =
           ChooseWindow(curve, k, sizes, noise, noise.per_curve[i], options.confidence, &tried);
       StripePoint& p = stripes.points[static_cast<std::size_t>(stripes.segments[i].first) + k];

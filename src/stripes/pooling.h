@@ -15,6 +15,9 @@ struct PoolingOptions {
   // A window is chosen by what it shows, so its estimate errs by more than its own deviation says: by this
   // much on boxes and hands of devices that choices were made on; 1 and more.
   double choice_error = 1.08;
+  // For who reads only some rows: this many to the next, counted from `first_row` of each segment. The others
+  // lend their noise and stay single.
+  int every_rows = 1, first_row = 0;
   RowNoiseOptions noise = {};
   BrightnessPullOptions pull = {};
 };

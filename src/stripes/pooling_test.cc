@@ -136,6 +136,25 @@ TEST(Pooling, SameBytesAtAnyNumberOfThreads) {
   }
 }
 
+TEST(Pooling, WhoReadsOnlySomeRowsGetsThemAsIfAllWerePooled) {
+  const auto truth = [](int s, int v) { return 40.0 * s + 0.1 * v; };
+  const LaserStripes stripes = Noisy(truth, 200, 0.2, 1.5, 0.1);
+  PoolingOptions options;
+  const LaserStripes all = PoolAlongStripes(stripes, options, Threads(1));
+  options.every_rows = 24;
+  options.first_row = 8;
+  const LaserStripes some = PoolAlongStripes(stripes, options, Threads(1));
+  ASSERT_EQ(some.points.size(), all.points.size());
+  for (const StripeSegment& segment : some.segments) {
+    for (std::int32_t i = 0; i < segment.count; ++i) {
+      const auto k = static_cast<std::size_t>(segment.first + i);
+      const bool pooled = i >= 8 && (i - 8) % 24 == 0;
+      EXPECT_EQ(some.points[k].u, pooled ? all.points[k].u : stripes.points[k].u) << i;
+      EXPECT_EQ(some.points[k].sd_px, pooled ? all.points[k].sd_px : stripes.points[k].sd_px) << i;
+    }
+  }
+}
+
 TEST(Pooling, NothingComesOfNothing) {
   EXPECT_TRUE(PoolAlongStripes({}, {}, {}).points.empty());
   LaserStripes few;
