@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct CameraCalibration {
   std::vector<std::string> views;  // those with a board
   std::vector<double> view_rms_px;
   std::vector<std::vector<cv::Point2f>> corners;
+  // Of boards in other pictures of the series, by name, as far as they were looked for.
+  std::map<std::string, std::vector<cv::Point2f>> corners_of;
   std::vector<std::string> warnings;
   PartReport report;
 };

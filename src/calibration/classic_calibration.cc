@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include "base/parallel.h"
 #include "captures/names.h"
@@ -25,17 +27,32 @@ std::vector<double> WorldPositions(const Camera& camera, const PlaneStripes& str
   return xs;
 }
 
-Status ObserveAll(const CalibrationSeries& series, const Camera& camera,
+Status ObserveAll(const CalibrationSeries& series, const CameraCalibration& camera,
                   const ClassicCalibrationOptions& options, const Context& context,
                   std::vector<LaserCalibration>* lasers) {
-  for (std::size_t i = 0; i < lasers->size(); ++i) {
-    LaserCalibration& laser = (*lasers)[i];
-    DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
-    context.Report("stripes on two planes", static_cast<double>(i) / static_cast<double>(lasers->size()));
-    DORSUM_ASSIGN_OR_RETURN(laser.further, ObserveStripes(series, camera, laser.laser, Distance::kFurther,
-                                                          options.spacing, context));
-    DORSUM_ASSIGN_OR_RETURN(laser.closer, ObserveStripes(series, camera, laser.laser, Distance::kCloser,
-                                                         options.spacing, context));
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  context.Report("stripes on two planes", 0.0);
+  Context inner = context;
+  inner.progress = nullptr;
+  if (context.sink != nullptr) inner.threads = 1;  // a sink is called from one thread
+  std::vector<Status> status(2 * lasers->size());
+  ParallelFor(inner, 0, static_cast<std::int64_t>(status.size()), [&](std::int64_t i) {
+    LaserCalibration& laser = (*lasers)[static_cast<std::size_t>(i / 2)];
+    const Distance distance = i % 2 == 0 ? Distance::kFurther : Distance::kCloser;
+    if (context.IsCancelled()) return;
+    const auto known = camera.corners_of.find(LaserChessName(laser.laser, distance));
+    Result<PlaneStripes> seen =
+        ObserveStripes(series, camera.camera, laser.laser, distance, options.spacing, inner,
+                       known == camera.corners_of.end() ? nullptr : &known->second);
+    if (!seen.ok()) {
+      status[static_cast<std::size_t>(i)] = seen.error();
+    } else {
+      (i % 2 == 0 ? laser.further : laser.closer) = std::move(*seen);
+    }
+  });
+  DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
+  for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);
+  for (LaserCalibration& laser : *lasers) {
     DORSUM_ASSIGN_OR_RETURN(laser.grating,
                             EstimateGratingHeight(laser.further, laser.closer,
                                                   series.setup.calibration_object_height_mm, laser.laser));
@@ -144,7 +161,7 @@ Result<ClassicCalibration> CalibrateLasers(const CalibrationSeries& series, cons
   ClassicCalibration out;
   out.camera = camera;
   for (const int k : series.lasers) out.lasers.emplace_back().laser = k;
-  DORSUM_RETURN_IF_ERROR(ObserveAll(series, out.camera.camera, options, context, &out.lasers));
+  DORSUM_RETURN_IF_ERROR(ObserveAll(series, out.camera, options, context, &out.lasers));
 
   // Two passes: the first finds the direction of the central stripe; the second works in that world.
   for (int pass = align ? 0 : 1; pass < 2; ++pass) {

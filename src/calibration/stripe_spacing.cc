@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <opencv2/imgproc.hpp>
 
@@ -48,12 +49,17 @@ cv::Mat DrawSpacings(const cv::Mat& strip, const PlaneStripes& stripes) {
 
 Result<PlaneStripes> ObserveStripes(const CalibrationSeries& series, const Camera& camera, int laser,
                                     Distance distance, const StripeSpacingOptions& options,
-                                    const Context& context) {
+                                    const Context& context, const std::vector<cv::Point2f>* known_corners) {
   PlaneStripes out;
   const std::string name = LaserCalName(laser, distance), chess_name = LaserChessName(laser, distance);
   const cv::Size inner(series.setup.board_columns, series.setup.board_rows);
-  DORSUM_ASSIGN_OR_RETURN(const cv::Mat chess, series.Read(chess_name));
-  const auto corners = FindChessboard(GreenChannel(chess), inner);
+  std::optional<std::vector<cv::Point2f>> corners;
+  if (known_corners != nullptr) {
+    corners = *known_corners;
+  } else {
+    DORSUM_ASSIGN_OR_RETURN(const cv::Mat chess, series.Read(chess_name));
+    corners = FindChessboard(GreenChannel(chess), inner);
+  }
   if (!corners) {
     return BadInput("no chessboard of " + std::to_string(inner.width) + "x" + std::to_string(inner.height) +
                     " inner corners is seen in " + chess_name + "; capture it again or correct setup.json");

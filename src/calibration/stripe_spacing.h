@@ -33,10 +33,11 @@ struct PlaneStripes {
 
 // Observes one laser at one distance (§3.2 "Calibration images preprocessing", "Grating position
 // estimation"): homography from the …Chess image, inverse perspective, background subtraction, stripe
-// masking, line detection.
+// masking, line detection. `known_corners`: those of the …Chess image, if they were found before.
 Result<PlaneStripes> ObserveStripes(const CalibrationSeries& series, const Camera& camera, int laser,
                                     Distance distance, const StripeSpacingOptions& options,
-                                    const Context& context);
+                                    const Context& context,
+                                    const std::vector<cv::Point2f>* known_corners = nullptr);
 
 // Mean distance between neighbouring stripes, mm, over orders from..to counted from the central stripe.
 double MeanSpacing(const PlaneStripes& stripes, int from, int to);
