@@ -3,65 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
-
-#include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "base/files.h"
+#include "base/parallel.h"
 #include "base/version.h"
-#include "captures/capture.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
+#include "jobs/box_samples.h"
 #include "jobs/calibrate_bundle.h"
 #include "jobs/reconstruct.h"
 
 namespace dorsum {
 namespace {
-
-// `must`: a box that the document's way cannot reconstruct is an error. Points of the boxes, reconstructed
-// without correction, on the box's mask shrunk as evaluation does.
-Result<std::map<int, std::vector<HeightSample>>> SampleBoxes(const CalibrationSeries& series,
-                                                             const ReadyCalibration& ready,
-                                                             const CalibrateOptions& options,
-                                                             const Context& context, bool must,
-                                                             std::vector<std::string>* warnings) {
-  std::map<int, std::vector<HeightSample>> samples;
-  ReconstructOptions reconstruct;
-  reconstruct.method = "classic";
-  reconstruct.correction = "none";
-  for (std::size_t i = 0; i < series.box_heights_mm.size(); ++i) {
-    DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
-    context.Report("boxes", static_cast<double>(i) / static_cast<double>(series.box_heights_mm.size()));
-    const double height = series.box_heights_mm[i];
-    DORSUM_ASSIGN_OR_RETURN(
-        const CaptureImages capture,
-        LoadCapture(series.BoxDir(height), {series.setup.width, series.setup.height}, series.lasers));
-    warnings->insert(warnings->end(), capture.warnings.begin(), capture.warnings.end());
-    Context quiet = context;
-    quiet.progress = nullptr;
-    const Result<Reconstruction> made = ReconstructPoints(capture, ready, reconstruct, quiet);
-    if (!made.ok()) {
-      if (must || made.error().code == ErrorCode::kCancelled) return made.error();
-      warnings->push_back("a box is not used to correct the document's plane sheets: " +
-                          made.error().message);
-      continue;
-    }
-    const Reconstruction& box = *made;
-    cv::Mat inner;
-    cv::erode(box.mask.mask, inner, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
-    std::map<int, std::vector<HeightSample>> of_box;
-    for (const SurfacePoint& p : box.points) {
-      const auto u = static_cast<int>(std::lround(p.u)), v = static_cast<int>(std::lround(p.v));
-      if (u < 0 || v < 0 || u >= inner.cols || v >= inner.rows || inner.at<std::uint8_t>(v, u) == 0) continue;
-      of_box[p.laser].push_back({p.position.x(), p.position.z(), height});
-    }
-    for (auto& [laser, list] : of_box) {
-      const std::size_t step = list.size() / options.samples_per_laser_and_box + 1;
-      for (std::size_t k = 0; k < list.size(); k += step) samples[laser].push_back(list[k]);
-    }
-  }
-  return samples;
-}
 
 // The polynomial belongs to the plane model alone: cones go without it.
 PartReport ReportCorrection(const std::vector<LaserCorrection>& evidence, bool cones) {
@@ -154,6 +110,24 @@ Status CalibrateByDocument(const CalibrationSeries& series, const CalibrateOptio
   return {};
 }
 
+// What the calibration was made from.
+Result<std::vector<SourceFile>> HashFiles(const CalibrationSeries& series, const Context& context) {
+  const std::vector<std::filesystem::path> files = series.Files();
+  std::vector<SourceFile> sources(files.size());
+  std::vector<Status> status(files.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(files.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Result<std::string> bytes = ReadFile(series.dir / files[k]);
+    if (bytes.ok()) {
+      sources[k] = {files[k].generic_string(), Sha256Hex(*bytes)};
+    } else {
+      status[k] = bytes.error();
+    }
+  });
+  for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);
+  return sources;
+}
+
 // Says at once, and not after all the work, that there is nowhere to write.
 Status CheckTarget(const std::filesystem::path& out) {
   std::error_code ec;
@@ -189,10 +163,7 @@ Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const Ca
   DORSUM_ASSIGN_OR_RETURN(const auto background_path, RequireImage(series.dir, kBgNoHandName));
   DORSUM_ASSIGN_OR_RETURN(c.background, ReadFile(background_path));
   DORSUM_RETURN_IF_ERROR(FitCorrections(series, options, context, &run));
-  for (const std::filesystem::path& file : series.Files()) {
-    DORSUM_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(series.dir / file));
-    c.sources.push_back({file.generic_string(), Sha256Hex(bytes)});
-  }
+  DORSUM_ASSIGN_OR_RETURN(c.sources, HashFiles(series, context));
   return run;
 }
 

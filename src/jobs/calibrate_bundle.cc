@@ -77,6 +77,11 @@ Status CalibrateByBundle(const CalibrationSeries& series, const CalibrateOptions
   CameraCalibration refined = camera;
   refined.camera = bundle.device.camera;
   refined.view_rms_px = bundle.view_rms_px;
+  for (const BoardView& board : bundle.data.boards) {
+    std::vector<cv::Point2f>& corners = refined.corners_of[board.name];
+    for (const Eigen::Vector2d& at : board.corners)
+      corners.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
+  }
   c.warnings.insert(c.warnings.end(), camera.warnings.begin(), camera.warnings.end());
   c.warnings.insert(c.warnings.end(), bundle.warnings.begin(), bundle.warnings.end());
   run->classic = ClassicBeside(series, refined, options, context, &c.warnings);
