@@ -80,7 +80,7 @@ std::string ImageUri(const cv::Mat& picture, ImageKind kind) {
   if (picture.empty()) return {};
   if (kind == ImageKind::kPhoto)
     return "data:image/jpeg;base64," + EncodeBase64(EncodeJpeg(picture, 86, true));
-  return "data:image/png;base64," + EncodeBase64(EncodePng(picture, 9));
+  return "data:image/png;base64," + EncodeBase64(EncodePng(picture, 6));
 }
 
 HtmlPage::HtmlPage(const std::string& title, const std::string& subtitle) : title_(title) {
