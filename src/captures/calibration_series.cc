@@ -74,6 +74,7 @@ Result<CalibrationSeries> LoadCalibrationSeries(const std::filesystem::path& dir
   if (series.lasers.empty()) return RequireImage(dir, LaserCalName(0, Distance::kFurther)).error();
   for (const double height : series.setup.box_heights_mm) {
     if (std::filesystem::is_directory(series.BoxDir(height), ec)) {
+      DORSUM_RETURN_IF_ERROR(RequireImage(series.BoxDir(height), kBgHandName));
       series.box_heights_mm.push_back(height);
     } else {
       series.warnings.push_back("setup.json names a box of " + std::to_string(height).substr(0, 5) +

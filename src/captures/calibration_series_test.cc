@@ -37,7 +37,10 @@ class CalibrationSeriesTest : public ::testing::Test {
     }
     const cv::Mat image(24, 32, CV_8UC3, cv::Scalar(10, 20, 30));
     for (const std::string& name : names) cv::imwrite((folder_ / (name + ".png")).string(), image);
-    for (const char* box : {"h13.5", "h27.0"}) std::filesystem::create_directories(folder_ / "heights" / box);
+    for (const char* box : {"h13.5", "h27.0"}) {
+      std::filesystem::create_directories(folder_ / "heights" / box);
+      cv::imwrite((folder_ / "heights" / box / "bgHand.png").string(), image);
+    }
     EXPECT_TRUE(
         WriteFile(folder_ / "setup.json", R"({"chessboard": {"inner_corners": [9, 6], "square_mm": 20},
       "calibration_object_height_mm": 40, "box_heights_mm": [13.5, 27], "grating_lines_per_mm": 100,
@@ -63,17 +66,18 @@ TEST_F(CalibrationSeriesTest, ACompleteFolderHasNoWarning) {
   EXPECT_THAT(series->warnings, IsEmpty());
   EXPECT_EQ(series->Read("bgNoHand").value().size(), cv::Size(32, 24));
   const auto files = series->Files();
-  EXPECT_EQ(files.size(), 4U + 12U + 10U + 1U);
+  EXPECT_EQ(files.size(), 4U + 12U + 10U + 2U + 1U);
   EXPECT_THAT(files, Contains("setup.json"));
   EXPECT_TRUE(std::is_sorted(files.begin(), files.end()));
 }
 
 TEST_F(CalibrationSeriesTest, EachIndispensableFileIsNamed) {
-  for (const char* name :
-       {"laserFirstEstimates", "bgNoHand", "laserCalFurtherBg", "laserCalCloserBg", "chess00"}) {
+  for (const char* name : {"laserFirstEstimates", "bgNoHand", "laserCalFurtherBg", "laserCalCloserBg",
+                           "chess00", "heights/h27.0/bgHand"}) {
     const std::string bytes = ReadFile(folder_ / (std::string(name) + ".png")).value();
     Remove(name);
-    EXPECT_THAT(Message(), AllOf(HasSubstr(name), HasSubstr("missing")));
+    EXPECT_THAT(Message(),
+                AllOf(HasSubstr(std::filesystem::path(name).filename().string()), HasSubstr("missing")));
     ASSERT_TRUE(WriteFile(folder_ / (std::string(name) + ".png"), bytes).ok());
   }
   EXPECT_EQ(Message(), "(no error)");
@@ -104,7 +108,7 @@ TEST_F(CalibrationSeriesTest, NoLasersIsAnError) {
 
 TEST_F(CalibrationSeriesTest, WhatCanBeDoneWithoutIsAWarning) {
   Remove("chess07");
-  std::filesystem::remove(folder_ / "heights/h27.0");
+  std::filesystem::remove_all(folder_ / "heights/h27.0");
   const auto series = LoadCalibrationSeries(folder_.path());
   ASSERT_TRUE(series.ok());
   EXPECT_THAT(series->warnings, ElementsAre(HasSubstr("chess07"), HasSubstr("h27.0")));
