@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "base/context.h"
 #include "surface/plate.h"
+#include "surface/plate_stack.h"
 #include "surface/ray_field.h"
 #include "surface/rim.h"
 
@@ -40,10 +42,10 @@ struct LaserConsistency {
 // Chen & Medioni 1992) and, with t along z alone, the height offset. What a residual may be without any shift
 // is learnt from all lasers by the distance to the nearest other stripe. Standard deviations come from the
 // scatter between patches (White's sandwich), since neighbouring residuals are not independent. `lasers`: one
-// per sample.
+// per sample; `fused`: the solved lattice and the coarser ones (MakeGrids).
 std::vector<LaserConsistency> CompareLasers(const std::vector<PlateSample>& samples,
                                             const std::vector<std::uint8_t>& lasers,
-                                            const PlateLattice& fused, const PlateOptions& plate,
+                                            std::span<const PlateGrid> fused, const PlateOptions& plate,
                                             const Rim& rim, const RayField& rays,
                                             const LaserConsistencyOptions& options,
                                             const Context& context = {});

@@ -52,7 +52,17 @@ class LaserConsistencyTest : public ::testing::Test {
     const Outline outline(mask_, 4);
     const Rim rim({}, outline, {.mm_per_px = 0.47});
     const RayField rays(TestCamera(), cv::Rect(0, 0, 640, 480));
-    return CompareLasers(samples_, lasers_, lattice_, plate_, rim, rays, {.mm_per_px = 0.47});
+    return CompareLasers(samples_, lasers_, MakeGrids(lattice_, 0.47, samples_), plate_, rim, rays,
+                         {.mm_per_px = 0.47});
+  }
+  std::vector<LaserOffset> Offsets() {
+    SolvePlate(samples_, plate_, &lattice_);
+    const std::vector<PlateGrid> grids = MakeGrids(lattice_, 0.47, samples_);
+    std::vector<float> weights;
+    for (const PlateSample& s : samples_) weights.push_back(s.weight);
+    PlateStack stack(plate_, grids);
+    stack.SetSamples(weights, grids);
+    return EstimateLaserOffsets(samples_, lasers_, stack, grids[0], plate_, {.mm_per_px = 0.47});
   }
   cv::Mat1b mask_;
   std::vector<PlateSample> samples_;
@@ -87,9 +97,7 @@ TEST_F(LaserConsistencyTest, OffsetsComeBackRelativeToTheirMean) {
   Scan(Eigen::Vector3d::Zero());
   constexpr std::array<float, 4> kOffsets = {0.06F, -0.02F, -0.04F, 0.0F};
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].z += kOffsets[lasers_[i]];
-  SolvePlate(samples_, plate_, &lattice_);
-  const std::vector<LaserOffset> found =
-      EstimateLaserOffsets(samples_, lasers_, lattice_, plate_, {.mm_per_px = 0.47});
+  const std::vector<LaserOffset> found = Offsets();
   ASSERT_EQ(found.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_EQ(found[k].laser, static_cast<int>(k));
@@ -106,7 +114,7 @@ TEST_F(LaserConsistencyTest, OneLaserAloneHasNothingToBeComparedWith) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].laser, 3);
   EXPECT_EQ(found[0].samples, 0);
-  EXPECT_EQ(EstimateLaserOffsets(samples_, lasers_, lattice_, plate_, {}).front().mean_mm, 0.0);
+  EXPECT_EQ(Offsets().front().mean_mm, 0.0);
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <utility>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "base/parallel.h"
+#include "surface/patches.h"
 
 namespace dorsum {
 namespace {
@@ -24,57 +24,72 @@ constexpr double kRelief = 0.01;
 
 std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& samples,
                                               const std::vector<std::uint8_t>& lasers,
-                                              const PlateLattice& solved, const PlateOptions& plate,
-                                              const LaserOffsetOptions& options, const Context& context) {
-  std::map<int, int> index;
-  for (const std::uint8_t laser : lasers) index.emplace(laser, 0);
+                                              const PlateStack& stack, const PlateGrid& solved,
+                                              const PlateOptions& plate, const LaserOffsetOptions& options,
+                                              const Context& context) {
+  std::vector<int> index(256, -1);
+  for (const std::uint8_t laser : lasers) index[laser] = 0;
   std::vector<LaserOffset> out;
-  for (auto& [laser, k] : index) {
+  for (int laser = 0; laser < 256; ++laser) {
+    int& k = index[static_cast<std::size_t>(laser)];
+    if (k < 0) continue;
     k = static_cast<int>(out.size());
     out.push_back({.laser = laser});
   }
   const auto n = static_cast<Eigen::Index>(out.size());
   if (n < 2) return out;
 
-  std::vector<PlateLattice> indicators(out.size(), solved);
-  ParallelFor(context, 0, n, [&](std::int64_t k) {
+  std::vector<float> weights;
+  weights.reserve(samples.size());
+  for (const PlateSample& s : samples) weights.push_back(s.weight);
+  // No plate resists being lifted, so the indicators of all lasers add up to 1 and the last needs no
+  // solution.
+  std::vector<PlateLattice> indicators(out.size() - 1, solved.lattice);
+  ParallelFor(context, 0, n - 1, [&](std::int64_t k) {
     PlateLattice& x = indicators[static_cast<std::size_t>(k)];
-    x.z = cv::Mat1f(solved.z.size(), 1.0F / static_cast<float>(n));
-    std::vector<PlateSample> marked = samples;
-    const int laser = out[static_cast<std::size_t>(k)].laser;
-    for (std::size_t i = 0; i < marked.size(); ++i) marked[i].z = lasers[i] == laser ? 1.0F : 0.0F;
-    SolvePlate(marked, plate, &x);
+    x.z = cv::Mat1f(solved.lattice.z.size(), 1.0F / static_cast<float>(n));
+    std::vector<float> marked;
+    marked.reserve(samples.size());
+    for (const std::uint8_t laser : lasers) marked.push_back(index[laser] == k ? 1.0F : 0.0F);
+    PlateSolver solver;
+    stack.Solve(marked, weights, solved, plate, &solver, &x);
   });
 
   const Eigen::MatrixXd known = Eigen::MatrixXd::Identity(n, n) / (options.prior_mm * options.prior_mm);
   Eigen::MatrixXd normal = known, scatter = known;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n), row(n);
 
-  std::map<std::pair<int, int>, std::pair<Eigen::VectorXd, Eigen::MatrixXd>> patches;
+  // Of each patch, the sums of w r row and of w row row'.
+  const Patches patches(samples, options.patch_mm / options.mm_per_px);
+  const auto count = static_cast<Eigen::Index>(patches.size());
+  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, count), h = Eigen::MatrixXd::Zero(n, n * count);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PlateSample& s = samples[i];
-    const float z = HeightAt(solved, s.u, s.v);
+    const float z = HeightAt(solved.lattice, solved.places[i]);
     if (s.weight <= 0.0F || !std::isfinite(z)) continue;
-    for (Eigen::Index k = 0; k < n; ++k)
-      row[k] = -HeightAt(indicators[static_cast<std::size_t>(k)], s.u, s.v);
+    row[n - 1] = -1.0;
+    for (Eigen::Index k = 0; k + 1 < n; ++k) {
+      row[k] = -HeightAt(indicators[static_cast<std::size_t>(k)], solved.places[i]);
+      row[n - 1] -= row[k];
+    }
     const Eigen::Index own = index[lasers[i]];
     row[own] += 1.0;
-    const double weight = s.weight;
-    right[own] += weight * (s.z - z);
-    normal.row(own) += weight * row.transpose();
-    const std::pair<int, int> patch(static_cast<int>(std::floor(s.u * options.mm_per_px / options.patch_mm)),
-                                    static_cast<int>(std::floor(s.v * options.mm_per_px / options.patch_mm)));
-    auto& [g, h] =
-        patches.try_emplace(patch, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n)).first->second;
-    g += weight * (s.z - z) * row;
-    h += weight * row * row.transpose();
+    const double weight = s.weight, error = weight * (s.z - z);
+    const auto patch = static_cast<Eigen::Index>(patches.At(s));
+    right[own] += error;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double weighted = weight * row[k];
+      normal(k, own) += weighted;
+      g(k, patch) += error * row[k];
+      for (Eigen::Index j = 0; j < n; ++j) h(j, patch * n + k) += weighted * row[j];
+    }
   }
   normal = (0.5 * (normal + normal.transpose())).eval();
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   const Eigen::VectorXd offsets = inverse * right;
-  for (const auto& [patch, sums] : patches) {
-    const Eigen::VectorXd g = sums.first - sums.second * offsets;
-    scatter += g * g.transpose();
+  for (Eigen::Index patch = 0; patch < count; ++patch) {
+    const Eigen::VectorXd rest = g.col(patch) - h.middleCols(patch * n, n) * offsets;
+    scatter += rest * rest.transpose();
   }
   const Eigen::MatrixXd centred =
       Eigen::MatrixXd::Identity(n, n) - Eigen::MatrixXd::Constant(n, n, 1.0 / static_cast<double>(n));

@@ -6,6 +6,7 @@
 
 #include "base/context.h"
 #include "surface/plate.h"
+#include "surface/plate_stack.h"
 
 namespace dorsum {
 
@@ -28,10 +29,11 @@ struct LaserOffset {
 //   sum w e_l (e_l - X)' o = sum w e_l r.
 // The standard deviations take the scatter of w (e_l - X) r between patches (White's sandwich), since
 // neighbouring residuals are not independent. Means are relative to the mean over the lasers. `lasers`: one
-// per sample.
+// per sample. `stack`: the plate's equations, with the samples' weights.
 std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& samples,
                                               const std::vector<std::uint8_t>& lasers,
-                                              const PlateLattice& solved, const PlateOptions& plate,
-                                              const LaserOffsetOptions& options, const Context& context = {});
+                                              const PlateStack& stack, const PlateGrid& solved,
+                                              const PlateOptions& plate, const LaserOffsetOptions& options,
+                                              const Context& context = {});
 
 }  // namespace dorsum

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -28,19 +27,21 @@ struct PlateSample {
   float weight = 0.0F;
 };
 
-// Where a pixel lies between the nodes of a lattice.
+// Where a pixel lies between the nodes of a lattice; not known unless all four corners are active.
 struct LatticePlace {
-  int c = 0, r = 0;
+  int c = -1, r = -1;
   float fc = 0.0F, fr = 0.0F;  // from that node to the next, 0 to 1
+
+  bool known() const { return c >= 0; }
 };
 
-// None unless all four corners are active.
-std::optional<LatticePlace> FindPlace(const PlateLattice& lattice, double u, double v);
+LatticePlace FindPlace(const PlateLattice& lattice, double u, double v);
+std::vector<LatticePlace> FindPlaces(const PlateLattice& lattice, const std::vector<PlateSample>& samples);
 
 struct PlateOptions {
   double mm_per_px = 0.2;    // of the object, above 0
   double tension = 1e-4;     // weight of the squared slope, keeps what no sample holds from swinging, >= 0
-  int max_iterations = 100;  // of conjugate gradients, 1 to 100000
+  int max_iterations = 100;  // of conjugate gradients over several grids (plate_solver.h), 1 to 100000
   double tolerance = 1e-4;   // of the residual against its start, 0 to 1
 };
 
@@ -56,7 +57,8 @@ PlateLattice Coarsen(const PlateLattice& fine);
 // Fills fine->z by bilinear interpolation of the next coarser lattice.
 void Prolong(const PlateLattice& coarse, PlateLattice* fine);
 
-// Height at an image point; NaN unless all four corners are active.
+// Height at a place; NaN where that is not known, which is unless all four corners are active.
+float HeightAt(const PlateLattice& lattice, const LatticePlace& place);
 float HeightAt(const PlateLattice& lattice, double u, double v);
 
 }  // namespace dorsum

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,12 +18,19 @@ namespace dorsum {
 class PlateSystem {
  public:
   static constexpr std::size_t kBlock = 16;  // nodes that are worked on together
+  static constexpr int kFrame = 2;
+  using Range = std::pair<std::size_t, std::size_t>;  // begin and end, in whole blocks
 
   // The plate's resistance to bending, and its tension, without samples.
   PlateSystem(const PlateOptions& options, const PlateLattice& lattice);
 
-  // Samples without four active corners, or without weight, are left out.
-  void AddSamples(const std::vector<PlateSample>& samples, const PlateLattice& lattice);
+  // Adds samples, which have a place and a weight each; those without one are left out.
+  void AddSamples(std::span<const LatticePlace> places, std::span<const float> weights);
+  // Adds to a right side of size() values what samples with these heights bring.
+  void AddHeights(std::span<const float> heights, std::span<const LatticePlace> places,
+                  std::span<const float> weights, std::vector<float>* right) const;
+  // Takes the forces off a right side that hold the heights x against bending; of a system without samples.
+  void SubtractBending(const std::vector<float>& x, std::vector<float>* right) const;
 
   // To be called when the system is whole: what the solver needs of the diagonal.
   void Finish();
@@ -31,29 +39,29 @@ class PlateSystem {
     return static_cast<std::size_t>(r + kFrame) * cols_ + static_cast<std::size_t>(c + kFrame);
   }
   std::size_t size() const { return diagonal.size(); }
+  std::size_t columns() const { return cols_; }  // of the storage
   // Distances to the neighbours of `upper`.
   std::array<std::ptrdiff_t, 6> Offsets() const {
     const auto wide = static_cast<std::ptrdiff_t>(cols_);
     return {1, 2, wide - 1, wide, wide + 1, 2 * wide};
   }
-  // Begin and end of the runs that hold all nodes with coefficients, in whole blocks.
-  const std::vector<std::pair<std::size_t, std::size_t>>& runs() const { return runs_; }
+  // The runs that hold all nodes of the lattice.
+  const std::vector<Range>& runs() const { return runs_; }
+  // Of each row of nodes, the columns of the storage from its first node to its last; empty when it has none.
+  const std::vector<Range>& spans() const { return spans_; }
 
-  std::vector<float> diagonal, right, inverse;  // inverse: of the diagonal, 0 where there is no node
+  // A lattice's heights as the solver takes them, 0 where there is no node; and back.
+  std::vector<float> Gather(const PlateLattice& lattice) const;
+  void Scatter(const std::vector<float>& x, PlateLattice* lattice) const;
+
+  std::vector<float> diagonal, inverse;  // inverse: of the diagonal, 0 where there is no node
   std::array<std::vector<float>, 6> upper;
 
  private:
-  static constexpr int kFrame = 2;
-  template <std::size_t N>
-  void Add(const std::array<std::size_t, N>& at, const std::array<float, N>& a,
-           const std::array<int, N*(N - 1) / 2>& neighbours, float weight);
+  void FindRuns(const cv::Mat1b& active);
 
   std::size_t cols_;  // with the frame
-  std::vector<std::pair<std::size_t, std::size_t>> runs_;
+  std::vector<Range> runs_, spans_;
 };
-
-// Minimises by conjugate gradients with a diagonal preconditioner from *x, of system.size() values. Stops at
-// `tolerance`, the residual against its start. Returns the iterations made.
-int SolveByGradients(const PlateSystem& system, int max_iterations, double tolerance, std::vector<float>* x);
 
 }  // namespace dorsum

@@ -18,6 +18,12 @@ class RayField {
   // World point at height z on the ray of an image point.
   Eigen::Vector3d At(double u, double v, double z) const;
 
+  // dx/dz and dy/dz along the ray of an image point, and how they change from pixel to pixel.
+  struct Slope {
+    Eigen::Vector2d m, du, dv;
+  };
+  Slope SlopeAt(double u, double v) const;
+
   const Eigen::Vector3d& center() const { return center_; }
 
  private:

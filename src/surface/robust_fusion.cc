@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "base/median.h"
@@ -11,6 +12,7 @@
 #include "surface/lattice_mesh.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
+#include "surface/plate_stack.h"
 #include "surface/plate_stiffness.h"
 #include "surface/plate_support.h"
 #include "surface/ray_field.h"
@@ -23,8 +25,8 @@ namespace {
 constexpr float kLeastSigma = 0.01F;       // mm; no point is better than that
 constexpr float kStartStiffness = 100.0F;  // of the coarsest lattice, before curvatures are known
 constexpr double kCoarsestStepMm = 2.0;
-// Each level starts from the one before, so these bring it far below the points' noise.
-constexpr int kIterations = 100, kExactIterations = 400;
+// Each level starts from the one before, so these bring it within a micrometre of the solution.
+constexpr int kIterations = 5, kExactIterations = 10;
 
 // How many mm of the object one pixel spans, at the points' median depth.
 double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
@@ -34,17 +36,20 @@ double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
   return Median(std::move(depths)) / std::sqrt(camera.fx * camera.fy);
 }
 
-// Geman and McClure's weights for the residuals against the present surface.
-std::vector<PlateSample> Reweigh(const std::vector<PlateSample>& samples, const PlateLattice& l,
-                                 double scale_mm, double sigmas) {
-  std::vector<PlateSample> out = samples;
-  for (PlateSample& s : out) {
-    const float z = HeightAt(l, s.u, s.v);
-    if (s.weight <= 0.0F || !std::isfinite(z)) continue;
-    const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
-    const double e = (s.z - z) / scale;
-    s.weight = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
-  }
+std::vector<float> Heights(const std::vector<PlateSample>& samples) {
+  std::vector<float> out;
+  out.reserve(samples.size());
+  for (const PlateSample& s : samples) out.push_back(s.z);
+  return out;
+}
+
+void SetWeights(const std::vector<float>& weights, std::vector<PlateSample>* samples) {
+  for (std::size_t i = 0; i < weights.size(); ++i) (*samples)[i].weight = weights[i];
+}
+
+PlateLattice CopyOf(const PlateLattice& l) {
+  PlateLattice out = l;
+  out.z = l.z.clone();
   return out;
 }
 
@@ -66,17 +71,17 @@ class Fuser {
 
   RobustFusion Run() {
     MakeSamples();
-    MakeLevels();
+    MakeGrids();
     SolveCoarsest();
     const Rim rim = TakeRimOff();
-    const std::size_t compared = levels_.size() > 1 ? levels_.size() - 2 : 0;
-    for (std::size_t i = 0; i <= compared; ++i) SolveLevel(i);
-    LevelLasers(&levels_[compared]);
+    const std::size_t compared = coarsest_ > 0 ? 1 : 0;
+    for (std::size_t i = coarsest_ + 1; i-- > compared;) SolveLevel(i);
+    LevelLasers(&grids_[compared]);
     // What remains of the surface and the comparison of the lasers do not need each other.
-    const PlateLattice level = levels_[compared];
+    const PlateLattice level = CopyOf(grids_[compared].lattice);
     ParallelFor(context_, 0, 2, [&](std::int64_t part) {
       if (part == 1) return CompareLasers(rim, level);
-      for (std::size_t i = compared + 1; i < levels_.size(); ++i) SolveLevel(i);
+      for (std::size_t i = compared; i-- > 0;) SolveLevel(i);
       Judge();
       MakeSurface(rim);
     });
@@ -100,28 +105,30 @@ class Fuser {
     }
   }
 
-  void MakeLevels() {
-    levels_ = {MakeSupport(samples_, outline_,
-                           {.step_px = options_.pitch_mm / mm_per_px_,
-                            .mm_per_px = mm_per_px_,
-                            .max_beyond_mm = options_.max_beyond_mm,
-                            .max_gap_mm = options_.max_gap_mm})};
-    while (levels_.back().step_px * mm_per_px_ < kCoarsestStepMm) levels_.push_back(Coarsen(levels_.back()));
-    std::reverse(levels_.begin(), levels_.end());
+  // From fine to coarse. Those beyond the coarsest to be solved help to solve it.
+  void MakeGrids() {
+    grids_ = dorsum::MakeGrids(MakeSupport(samples_, outline_,
+                                           {.step_px = options_.pitch_mm / mm_per_px_,
+                                            .mm_per_px = mm_per_px_,
+                                            .max_beyond_mm = options_.max_beyond_mm,
+                                            .max_gap_mm = options_.max_gap_mm}),
+                               mm_per_px_, samples_);
+    while (grids_[coarsest_].lattice.step_px * mm_per_px_ < kCoarsestStepMm) ++coarsest_;
   }
 
   // From the next coarser one, which tells how stiff the surface is.
   void SolveLevel(std::size_t i) {
-    if (i > 0) {
-      levels_[i].stiffness = LocalStiffness(levels_[i - 1], levels_[i], {.mm_per_px = mm_per_px_});
-      Prolong(levels_[i - 1], &levels_[i]);
+    PlateLattice& l = grids_[i].lattice;
+    if (i < coarsest_) {
+      l.stiffness = LocalStiffness(grids_[i + 1].lattice, l, {.mm_per_px = mm_per_px_});
+      Prolong(grids_[i + 1].lattice, &l);
     }
-    const double scale = std::max(1.0, 0.6 * levels_[i].step_px * mm_per_px_);
+    const double scale = std::max(1.0, 0.6 * l.step_px * mm_per_px_);
     Solve(i, {scale, scale});
   }
 
   void MakeSurface(const Rim& rim) {
-    PlateLattice& finest = levels_.back();
+    PlateLattice& finest = grids_[0].lattice;
     for (int r = 0; r < finest.z.rows; ++r) {
       for (int c = 0; c < finest.z.cols; ++c) {
         if (finest.active(r, c) != 0) finest.z(r, c) += rim.Height(finest.U(c), finest.V(r));
@@ -131,24 +138,49 @@ class Fuser {
     out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm);
   }
 
+  // Geman and McClure's weights for the residuals against a level's present surface.
+  std::vector<float> Reweigh(const std::vector<PlateSample>& samples, const PlateGrid& grid, double scale_mm,
+                             double sigmas) const {
+    std::vector<float> out(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const PlateSample& s = samples[i];
+      out[i] = s.weight;
+      const float z = HeightAt(grid.lattice, grid.places[i]);
+      if (s.weight <= 0.0F || !std::isfinite(z)) continue;
+      const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
+      const double e = (s.z - z) / scale;
+      out[i] = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
+    }
+    return out;
+  }
+
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
+    PlateGrid& grid = grids_[level];
+    const auto grids = std::span<const PlateGrid>(grids_).subspan(level);
+    PlateStack stack(plate_, grids);
+    bool first = true;
     for (const double scale : scales_mm) {
-      SolvePlate(Reweigh(samples_, levels_[level], scale, options_.robust_sigmas), plate_, &levels_[level]);
+      const std::vector<float> weights = Reweigh(samples_, grid, scale, options_.robust_sigmas);
+      first ? stack.SetSamples(weights, grids) : stack.UpdateSamples(weights, grid);
+      first = false;
+      stack.Solve(Heights(samples_), weights, grid, plate_, &solver_, &grid.lattice);
     }
   }
 
   // From loose to tight, so that what few samples say does not bend the surface (graduated non-convexity).
   void SolveCoarsest() {
-    levels_[0].stiffness = cv::Mat3f(levels_[0].z.size(), cv::Vec3f::all(kStartStiffness));
-    StartFromMedians(samples_, levels_.data());
-    Solve(0, {8.0, 4.0, 2.5});
+    PlateLattice& l = grids_[coarsest_].lattice;
+    l.stiffness = cv::Mat3f(l.z.size(), cv::Vec3f::all(kStartStiffness));
+    StartFromMedians(samples_, &l);
+    Solve(coarsest_, {8.0, 4.0, 2.5});
   }
 
   Rim TakeRimOff() {
-    Rim rim(Reweigh(samples_, levels_[0], 2.5, 2.0 * options_.robust_sigmas), outline_,
-            {.mm_per_px = mm_per_px_}, context_);
+    std::vector<PlateSample> weighed = samples_;
+    SetWeights(Reweigh(samples_, grids_[coarsest_], 2.5, 2.0 * options_.robust_sigmas), &weighed);
+    Rim rim(weighed, outline_, {.mm_per_px = mm_per_px_}, context_);
     for (PlateSample& s : samples_) s.z -= rim.Height(s.u, s.v);
-    PlateLattice& l = levels_[0];
+    PlateLattice& l = grids_[coarsest_].lattice;
     for (int r = 0; r < l.z.rows; ++r) {
       for (int c = 0; c < l.z.cols; ++c) l.z(r, c) -= rim.Height(l.U(c), l.V(r));
     }
@@ -156,16 +188,24 @@ class Fuser {
   }
 
   // An offset that is surely there is taken off; a large one is a movement, which no offset mends.
-  void LevelLasers(PlateLattice* level) {
+  void LevelLasers(PlateGrid* level) {
     PlateOptions exact = plate_;
     exact.max_iterations = kExactIterations;
     exact.tolerance = 1e-5;
-    level->stiffness = LocalStiffness(*level, *level, {.mm_per_px = mm_per_px_});
-    const std::vector<PlateSample> weighed = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas);
-    SolvePlate(weighed, exact, level);
+    level->lattice.stiffness = LocalStiffness(level->lattice, level->lattice, {.mm_per_px = mm_per_px_});
+    const auto grids =
+        std::span<const PlateGrid>(grids_).subspan(static_cast<std::size_t>(level - grids_.data()));
+    const std::vector<float> weights = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas);
+    PlateStack stack(plate_, grids);
+    stack.SetSamples(weights, grids);
+    stack.Solve(Heights(samples_), weights, *level, exact, &solver_, &level->lattice);
     PlateOptions rough = plate_;  // shares of the lasers need no more
+    rough.max_iterations = exact.max_iterations;
     rough.tolerance = 1e-2;
-    out_.offsets = EstimateLaserOffsets(weighed, lasers_, *level, rough, {.mm_per_px = mm_per_px_}, context_);
+    std::vector<PlateSample> weighed = samples_;
+    SetWeights(weights, &weighed);
+    out_.offsets =
+        EstimateLaserOffsets(weighed, lasers_, stack, *level, rough, {.mm_per_px = mm_per_px_}, context_);
     std::array<float, 256> off{};
     for (const LaserOffset& one : out_.offsets) {
       if (std::abs(one.mean_mm) > options_.max_offset_mm) return;
@@ -195,17 +235,19 @@ class Fuser {
     level.stiffness = LocalStiffness(
         level, level,
         {.mm_per_px = mm_per_px_, .window_mm = 3.0, .correlation_area_mm2 = 1.0, .share_between = 1.0});
-    const std::vector<PlateSample> weighed =
-        Reweigh(PooledSamples(), level, 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas);
-    out_.lasers = dorsum::CompareLasers(weighed, lasers_, level, plate_, rim, rays_,
-                                        {.mm_per_px = mm_per_px_}, context_);
+    std::vector<PlateSample> pooled = PooledSamples();
+    const std::vector<PlateGrid> grids = dorsum::MakeGrids(level, mm_per_px_, pooled);
+    SetWeights(Reweigh(pooled, grids[0], 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas),
+               &pooled);
+    out_.lasers = dorsum::CompareLasers(pooled, lasers_, grids, plate_, rim, rays_, {.mm_per_px = mm_per_px_},
+                                        context_);
   }
 
   void Judge() {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const PlateSample& s = samples_[i];
       if (s.weight <= 0.0F) continue;
-      const float z = HeightAt(levels_.back(), s.u, s.v);
+      const float z = HeightAt(grids_[0].lattice, grids_[0].places[i]);
       const double limit =
           std::max(options_.outlier_mm, options_.outlier_sigmas * static_cast<double>(points_[i].sigma));
       const double own =
@@ -228,7 +270,9 @@ class Fuser {
   PlateOptions plate_;
   std::vector<PlateSample> samples_;  // heights without the rim and the lasers' offsets
   std::vector<std::uint8_t> lasers_;
-  std::vector<PlateLattice> levels_;  // from coarse to fine
+  std::vector<PlateGrid> grids_;
+  std::size_t coarsest_ = 0;  // of the grids, the first to be solved
+  PlateSolver solver_;
   RobustFusion out_;
 };
 

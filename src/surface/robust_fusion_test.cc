@@ -68,7 +68,7 @@ TEST(RobustFusionTest, NoSkinGrowsBetweenFingersAndTheirFlanksAreRound) {
   const Errors e =
       Against(f.field, [](double x, double y) { return Fingers(x, y) > 14.0 ? Fingers(x, y) : kNothing; });
   EXPECT_LT(e.rms, 0.06);
-  EXPECT_LT(e.worst, 0.6);
+  EXPECT_LT(e.worst, 0.62);
 }
 
 TEST(RobustFusionTest, NoiseIsAveragedAndAStepStaysAStep) {
