@@ -153,7 +153,7 @@ Result<Reconstruction> Reconstruct(const CaptureImages& capture, const ReadyCali
     out.height_field = FuseHeightField(out.points, camera, out.mask.mask, options.height_field, context);
     out.mesh = MeshHeightField(out.height_field);
   }
-  AssignNormals(out.mesh, 5.0, &out.points);
+  AssignNormals(out.mesh, 5.0, &out.points, context);
   if (out.mesh.faces.empty()) out.warnings.emplace_back("the points lie too far apart for a mesh");
   return out;
 }

@@ -8,11 +8,13 @@
 
 #include <Eigen/Geometry>
 
+#include "base/parallel.h"
+
 namespace dorsum {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr double kCellMm = 1.0;  // about as far as a point is from the nearest vertex
+constexpr double kCellMm = 0.5;  // about as far as a point is from the nearest vertex
 
 // The three grid corners of a triangle, as (column, row).
 using Corners = std::array<cv::Point, 3>;
@@ -32,7 +34,7 @@ bool IsSurface(const cv::Mat1f& z, const Corners& corners, double max_step) {
 class VertexCells {
  public:
   VertexCells(const std::vector<Eigen::Vector3d>& vertices, double cell_mm)
-      : vertices_(vertices), cell_mm_(cell_mm), low_(vertices[0].head<2>()) {
+      : cell_mm_(cell_mm), low_(vertices[0].head<2>()) {
     Eigen::Vector2d high = low_;
     for (const Eigen::Vector3d& p : vertices) {
       low_ = low_.cwiseMin(p.head<2>());
@@ -46,7 +48,7 @@ class VertexCells {
     sorted_.resize(vertices.size());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      sorted_[next[At(vertices[i])]++] = static_cast<std::uint32_t>(i);
+      sorted_[next[At(vertices[i])]++] = {vertices[i], static_cast<std::uint32_t>(i)};
   }
 
   // kNone if the nearest is further away than that.
@@ -65,10 +67,10 @@ class VertexCells {
           if (x < 0 || x >= cols_) continue;
           const auto cell = static_cast<std::size_t>(y * cols_ + x);
           for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-            const double d = (vertices_[sorted_[i]] - p).squaredNorm();
+            const double d = (sorted_[i].position - p).squaredNorm();
             if (d > square || (d == square && nearest != kNone)) continue;
             square = d;
-            nearest = sorted_[i];
+            nearest = sorted_[i].number;
           }
         }
       }
@@ -82,11 +84,15 @@ class VertexCells {
     return static_cast<std::size_t>(Cell(p.y() - low_.y()) * cols_ + Cell(p.x() - low_.x()));
   }
 
-  const std::vector<Eigen::Vector3d>& vertices_;
+  struct Vertex {
+    Eigen::Vector3d position;
+    std::uint32_t number = 0;
+  };
   double cell_mm_;
   Eigen::Vector2d low_;
   long cols_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> begin_, sorted_;  // of each cell in `sorted_`; numbers of vertices
+  std::vector<std::uint32_t> begin_;  // of each cell in `sorted_`
+  std::vector<Vertex> sorted_;
 };
 
 void ComputeNormals(TriangleMesh* mesh) {
@@ -127,13 +133,20 @@ TriangleMesh MeshHeightField(const HeightField& field, double max_slope_deg) {
   return mesh;
 }
 
-void AssignNormals(const TriangleMesh& mesh, double max_distance_mm, SurfacePoints* points) {
+void AssignNormals(const TriangleMesh& mesh, double max_distance_mm, SurfacePoints* points,
+                   const Context& context) {
   if (mesh.vertices.empty()) return;
   const VertexCells cells(mesh.vertices, kCellMm);
-  for (SurfacePoint& p : *points) {
-    const std::uint32_t nearest = cells.Nearest(p.position, max_distance_mm);
-    if (nearest != kNone) p.normal = mesh.normals[nearest];
-  }
+  constexpr std::size_t kTogether = 1024;
+  const auto parts = static_cast<std::int64_t>((points->size() + kTogether - 1) / kTogether);
+  ParallelFor(context, 0, parts, [&](std::int64_t part) {
+    const std::size_t begin = static_cast<std::size_t>(part) * kTogether;
+    for (std::size_t i = begin; i < std::min(points->size(), begin + kTogether); ++i) {
+      SurfacePoint& p = (*points)[i];
+      const std::uint32_t nearest = cells.Nearest(p.position, max_distance_mm);
+      if (nearest != kNone) p.normal = mesh.normals[nearest];
+    }
+  });
 }
 
 }  // namespace dorsum

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/context.h"
 #include "geometry/mesh.h"
 #include "surface/height_field.h"
 
@@ -13,6 +14,7 @@ TriangleMesh MeshHeightField(const HeightField& field, double max_slope_deg = 75
 
 // Gives each point the normal of the nearest mesh vertex, or straight up where the mesh is further than
 // `max_distance_mm`.
-void AssignNormals(const TriangleMesh& mesh, double max_distance_mm, SurfacePoints* points);
+void AssignNormals(const TriangleMesh& mesh, double max_distance_mm, SurfacePoints* points,
+                   const Context& context = {});
 
 }  // namespace dorsum

@@ -18,13 +18,14 @@ class LatticeMesher {
  public:
   LatticeMesher(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
                 double max_slope_deg)
-      : l_(lattice), rays_(rays), inside_(lattice.active.size()) {
-    const std::size_t count = l_.active.total();
-    for (auto& ids : ids_) ids.assign(count, kNone);
-    for (int r = 0; r < inside_.rows; ++r) {
-      for (int c = 0; c < inside_.cols; ++c) inside_(r, c) = outline.Distance(l_.U(c), l_.V(r));
-    }
-    max_rise_ = std::tan(max_slope_deg * std::numbers::pi / 180.0);
+      : l_(lattice),
+        rays_(rays),
+        inside_(outline.AtNodes(l_.u0, l_.v0, l_.step_px, l_.active.size())),
+        max_tilt_(1.0 + std::pow(std::tan(max_slope_deg * std::numbers::pi / 180.0), 2)) {
+    for (auto& ids : ids_) ids.assign(l_.active.total(), kNone);
+    const auto nodes = static_cast<std::size_t>(cv::countNonZero(l_.active));
+    mesh_.vertices.reserve(nodes);
+    mesh_.faces.reserve(2 * nodes);
   }
 
   TriangleMesh Mesh() {
@@ -68,14 +69,19 @@ class LatticeMesher {
   }
 
   void MeshCell(int c, int r) {
+    const auto *on = l_.active.ptr<std::uint8_t>(r) + c, *on_south = l_.active.ptr<std::uint8_t>(r + 1) + c;
+    if (on[0] == 0 || on[1] == 0 || on_south[0] == 0 || on_south[1] == 0) return;
     const std::array<Corner, 4> corners = {Corner{c, r}, Corner{c + 1, r}, Corner{c + 1, r + 1},
                                            Corner{c, r + 1}};
-    int count = 0;
-    for (const Corner& at : corners) {
-      if (l_.active(at.r, at.c) == 0) return;
-      count += inside_(at.r, at.c) > 0.0F ? 1 : 0;
+    const auto *in = inside_.ptr<float>(r) + c, *in_south = inside_.ptr<float>(r + 1) + c;
+    if (std::max({in[0], in[1], in_south[0], in_south[1]}) <= 0.0F) return;
+    if (std::min({in[0], in[1], in_south[0], in_south[1]}) > 0.0F) {
+      const std::uint32_t first = Node(corners[0]), second = Node(corners[1]), third = Node(corners[2]),
+                          fourth = Node(corners[3]);
+      AddFace(first, second, third);
+      AddFace(first, third, fourth);
+      return;
     }
-    if (count == 0) return;
     // The part of the cell that lies inside, as a polygon of at most six corners.
     std::array<std::uint32_t, 8> polygon{};
     std::size_t size = 0;
@@ -90,11 +96,11 @@ class LatticeMesher {
 
   void AddFace(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Eigen::Vector3d &pa = mesh_.vertices[a], &pb = mesh_.vertices[b], &pc = mesh_.vertices[c];
-    Eigen::Vector3d normal = (pb - pa).cross(pc - pa);
-    const Eigen::Vector3d view = ((pa + pb + pc) / 3.0 - rays_.center()).normalized();
+    const Eigen::Vector3d normal = (pb - pa).cross(pc - pa);
+    const Eigen::Vector3d view = (pa + pb + pc) / 3.0 - rays_.center();
     const double along = normal.dot(view);
-    const double across = (normal - along * view).norm();
-    if (!(across <= max_rise_ * std::abs(along))) return;
+    // The square of 1 / cosine of the slope.
+    if (!(normal.squaredNorm() * view.squaredNorm() <= max_tilt_ * along * along)) return;
     // Rows of the image run against y, so the polygon's turn depends on the camera.
     if (along > 0.0) std::swap(b, c);
     mesh_.faces.push_back({a, b, c});
@@ -103,7 +109,7 @@ class LatticeMesher {
   const PlateLattice& l_;
   const RayField& rays_;
   cv::Mat1f inside_;
-  double max_rise_ = 0.0;
+  double max_tilt_ = 1.0;
   std::array<std::vector<std::uint32_t>, 3> ids_;  // of nodes, of crossings to the right and below
   TriangleMesh mesh_;
 };

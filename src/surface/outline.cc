@@ -2,8 +2,12 @@
 #include "surface/outline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
+
+#include "surface/border_distance.h"
 
 namespace dorsum {
 namespace {
@@ -14,12 +18,13 @@ cv::Mat1f DistanceInside(const cv::Mat& region) {
   cv::copyMakeBorder(region, padded, 1, 1, 1, 1, cv::BORDER_REPLICATE);
   cv::Mat1f out;
   cv::distanceTransform(padded, out, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  return out(cv::Rect(1, 1, region.cols, region.rows)).clone();
+  return out(cv::Rect(1, 1, region.cols, region.rows));
 }
 
 }  // namespace
 
-Outline::Outline(const cv::Mat& mask, int margin_px) : outside_(-static_cast<float>(margin_px)) {
+Outline::Outline(const cv::Mat& mask, int margin_px, int reach_px)
+    : outside_(-static_cast<float>(margin_px)) {
   const cv::Rect object = cv::boundingRect(mask);
   bounds_ = cv::Rect(object.x - margin_px, object.y - margin_px, object.width + 2 * margin_px,
                      object.height + 2 * margin_px) &
@@ -30,11 +35,28 @@ Outline::Outline(const cv::Mat& mask, int margin_px) : outside_(-static_cast<flo
     distance_ = cv::Mat1f(bounds_.size(), static_cast<float>(mask.cols + mask.rows));
     return;
   }
-  const cv::Mat1f in = DistanceInside(inside), out = DistanceInside(~inside);
   distance_ = cv::Mat1f(bounds_.size());
+  if (reach_px <= kMaxBorderReach && margin_px < kMaxBorderReach) {
+    const cv::Mat1w in = SquaredBorderDistance(inside, reach_px),
+                    out = SquaredBorderDistance(~inside, margin_px + 1);
+    std::vector<float> roots;
+    const int longest = std::max(reach_px, margin_px + 1);
+    for (int i = 0; i <= longest * longest; ++i) roots.push_back(std::sqrt(static_cast<float>(i)));
+    for (int r = 0; r < bounds_.height; ++r) {
+      const auto *inwards = in.ptr<std::uint16_t>(r), *outwards = out.ptr<std::uint16_t>(r);
+      auto* to = distance_.ptr<float>(r);
+      for (int c = 0; c < bounds_.width; ++c) {
+        to[c] = inwards[c] > 0 ? roots[inwards[c]] - 0.5F : std::max(0.5F - roots[outwards[c]], outside_);
+      }
+    }
+    return;
+  }
+  const cv::Mat1f in = DistanceInside(inside), out = DistanceInside(~inside);
   for (int r = 0; r < bounds_.height; ++r) {
+    const auto *inwards = in.ptr<float>(r), *outwards = out.ptr<float>(r);
+    auto* to = distance_.ptr<float>(r);
     for (int c = 0; c < bounds_.width; ++c) {
-      distance_(r, c) = in(r, c) > 0.0F ? in(r, c) - 0.5F : std::max(0.5F - out(r, c), outside_);
+      to[c] = inwards[c] > 0.0F ? inwards[c] - 0.5F : std::max(0.5F - outwards[c], outside_);
     }
   }
 }
@@ -48,9 +70,18 @@ float Outline::Distance(double u, double v) const {
             r = std::min(static_cast<int>(y), std::max(0, bounds_.height - 2));
   const int c1 = std::min(c + 1, bounds_.width - 1), r1 = std::min(r + 1, bounds_.height - 1);
   const auto fx = static_cast<float>(x - c), fy = static_cast<float>(y - r);
-  const float a = distance_(r, c) + fx * (distance_(r, c1) - distance_(r, c));
-  const float b = distance_(r1, c) + fx * (distance_(r1, c1) - distance_(r1, c));
+  const auto *north = distance_.ptr<float>(r), *south = distance_.ptr<float>(r1);
+  const float a = north[c] + fx * (north[c1] - north[c]), b = south[c] + fx * (south[c1] - south[c]);
   return a + fy * (b - a);
+}
+
+cv::Mat1f Outline::AtNodes(double u0, double v0, double step_px, cv::Size size) const {
+  cv::Mat1f out(size);
+  for (int r = 0; r < size.height; ++r) {
+    auto* to = out.ptr<float>(r);
+    for (int c = 0; c < size.width; ++c) to[c] = Distance(u0 + step_px * c, v0 + step_px * r);
+  }
+  return out;
 }
 
 }  // namespace dorsum

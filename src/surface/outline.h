@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 #include <opencv2/core.hpp>
 
 namespace dorsum {
@@ -9,11 +11,14 @@ namespace dorsum {
 // pixel inside and the first one outside. The image's own border is no outline: an arm goes on beyond it.
 class Outline {
  public:
-  // `mask`: CV_8UC1, not 0 on the object. Distances are known within `margin_px` around the object.
-  Outline(const cv::Mat& mask, int margin_px);
+  // `mask`: CV_8UC1, not 0 on the object. Distances are known within `margin_px` around the object and, where
+  // no more is asked for, `reach_px` inside: what lies deeper is as far as that.
+  Outline(const cv::Mat& mask, int margin_px, int reach_px = std::numeric_limits<int>::max());
 
   // Bilinear between pixel centres; far outside -margin.
   float Distance(double u, double v) const;
+  // The same at the nodes of a lattice (plate.h) of this size.
+  cv::Mat1f AtNodes(double u0, double v0, double step_px, cv::Size size) const;
 
   // The object's bounding box with the margin, cut at the image.
   const cv::Rect& bounds() const { return bounds_; }

@@ -64,8 +64,8 @@ PlateLattice Coarsen(const PlateLattice& fine) {
 void Prolong(const PlateLattice& coarse, PlateLattice* fine) {
   for (int r = 0; r < fine->active.rows; ++r) {
     const auto* on = fine->active.ptr<std::uint8_t>(r);
-    const float *north = coarse.z.ptr<float>(r / 2), *south = coarse.z.ptr<float>((r + 1) / 2);
-    float* out = fine->z.ptr<float>(r);
+    const auto *north = coarse.z.ptr<float>(r / 2), *south = coarse.z.ptr<float>((r + 1) / 2);
+    auto* out = fine->z.ptr<float>(r);
     for (int c = 0; c < fine->active.cols; ++c) {
       if (on[c] == 0) continue;
       const int c0 = c / 2, c1 = (c + 1) / 2;
@@ -74,12 +74,12 @@ void Prolong(const PlateLattice& coarse, PlateLattice* fine) {
   }
 }
 
-float HeightAt(const PlateLattice& lattice, const LatticePlace& at) {
-  if (!at.known()) return std::numeric_limits<float>::quiet_NaN();
-  const float* top = lattice.z.ptr<float>(at.r) + at.c;
-  const float* bottom = lattice.z.ptr<float>(at.r + 1) + at.c;
-  const float a = top[0] + at.fc * (top[1] - top[0]), b = bottom[0] + at.fc * (bottom[1] - bottom[0]);
-  return a + at.fr * (b - a);
+float HeightAt(const PlateLattice& lattice, const LatticePlace& place) {
+  if (!place.known()) return std::numeric_limits<float>::quiet_NaN();
+  const float* top = lattice.z.ptr<float>(place.r) + place.c;
+  const float* bottom = lattice.z.ptr<float>(place.r + 1) + place.c;
+  const float a = top[0] + place.fc * (top[1] - top[0]), b = bottom[0] + place.fc * (bottom[1] - bottom[0]);
+  return a + place.fr * (b - a);
 }
 
 float HeightAt(const PlateLattice& lattice, double u, double v) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <opencv2/imgproc.hpp>
+
 namespace dorsum {
 namespace {
 
@@ -14,45 +16,38 @@ constexpr float kFar = std::numeric_limits<float>::max();
 // with 3 x 3 masks until they change nothing (chamfer distances, Borgefors 1986).
 void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
   constexpr float kDiagonal = 1.4142136F;
-  cv::Mat1f& d = *way;
+  // With a frame, so that no border needs a test.
+  cv::Mat1f d(way->rows + 2, way->cols + 2, kFar);
+  way->copyTo(d(cv::Rect(1, 1, way->cols, way->rows)));
   for (bool changed = true; changed;) {
     changed = false;
-    const auto relax = [&](int r, int c, int dr, int dc, float step) {
-      const int y = r + dr, x = c + dc;
-      if (y < 0 || x < 0 || y >= d.rows || x >= d.cols || !(d(y, x) + step < d(r, c))) return;
-      d(r, c) = d(y, x) + step;
-      changed = true;
-    };
     for (const int sign : {-1, 1}) {
-      for (int i = 0; i < d.rows; ++i) {
-        const int r = sign < 0 ? i : d.rows - 1 - i;
-        for (int j = 0; j < d.cols; ++j) {
-          const int c = sign < 0 ? j : d.cols - 1 - j;
-          if (on(r, c) == 0) continue;
-          relax(r, c, 0, sign, 1.0F);
-          relax(r, c, sign, 0, 1.0F);
-          relax(r, c, sign, -1, kDiagonal);
-          relax(r, c, sign, 1, kDiagonal);
+      for (int i = 0; i < way->rows; ++i) {
+        const int r = sign < 0 ? i : way->rows - 1 - i;
+        const auto* known = on.ptr<std::uint8_t>(r) - 1;
+        auto* here = d.ptr<float>(r + 1);
+        const auto* before = d.ptr<float>(r + 1 + sign);
+        for (int j = 0; j < way->cols; ++j) {
+          const int c = sign < 0 ? j + 1 : way->cols - j;
+          if (known[c] == 0) continue;
+          const float straight = std::min(here[c + sign], before[c]) + 1.0F;
+          const float slanting = std::min(before[c - 1], before[c + 1]) + kDiagonal;
+          const float least = std::min(straight, slanting);
+          if (!(least < here[c])) continue;
+          here[c] = least;
+          changed = true;
         }
       }
     }
   }
+  d(cv::Rect(1, 1, way->cols, way->rows)).copyTo(*way);
 }
 
 // Nodes inside the outline, and those with a neighbour inside.
 cv::Mat1b NodesOnObject(const PlateLattice& l, const Outline& outline, cv::Size size) {
-  cv::Mat1b inside(size, std::uint8_t{0}), out(size, std::uint8_t{0});
-  for (int r = 0; r < size.height; ++r) {
-    for (int c = 0; c < size.width; ++c) inside(r, c) = outline.Distance(l.U(c), l.V(r)) > 0.0F ? 1 : 0;
-  }
-  for (int r = 0; r < size.height; ++r) {
-    for (int c = 0; c < size.width; ++c) {
-      const cv::Rect around = cv::Rect(c - 1, r - 1, 3, 3) & cv::Rect({0, 0}, size);
-      for (int y = around.y; y < around.y + around.height; ++y) {
-        for (int x = around.x; x < around.x + around.width; ++x) out(r, c) |= inside(y, x);
-      }
-    }
-  }
+  const cv::Mat inside = outline.AtNodes(l.u0, l.v0, l.step_px, size) > 0.0F;
+  cv::Mat1b out;
+  cv::dilate(inside, out, cv::Mat(3, 3, CV_8UC1, cv::Scalar(1)));
   return out;
 }
 

@@ -112,12 +112,13 @@ void PlateSystem::FindRuns(const cv::Mat1b& active) {
   }
 }
 
-void PlateSystem::AddSamples(std::span<const LatticePlace> places, std::span<const float> weights) {
+void PlateSystem::AddSamples(std::span<const LatticePlace> places, std::span<const float> weights,
+                             std::size_t each) {
   float *d = diagonal.data(), *east = upper[kEast].data(), *south = upper[kSouth].data();
   float *south_east = upper[kSouthEast].data(), *south_west = upper[kSouthWest].data();
-  for (std::size_t k = 0; k < places.size(); ++k) {
+  for (std::size_t k = 0; k < places.size(); k += each) {
     const LatticePlace& at = places[k];
-    const float w = weights[k];
+    const float w = weights[k] * static_cast<float>(each);
     if (!at.known() || !(w > 0.0F)) continue;
     const std::size_t i = At(at.c, at.r), below = i + cols_;
     const float left = 1.0F - at.fc, top = 1.0F - at.fr;
@@ -183,7 +184,7 @@ std::vector<float> PlateSystem::Gather(const PlateLattice& lattice) const {
   std::vector<float> x(size(), 0.0F);
   for (int r = 0; r < lattice.z.rows; ++r) {
     const auto* on = lattice.active.ptr<std::uint8_t>(r);
-    const float* z = lattice.z.ptr<float>(r);
+    const auto* z = lattice.z.ptr<float>(r);
     float* out = &x[At(0, r)];
     for (int c = 0; c < lattice.z.cols; ++c) out[c] = on[c] != 0 ? z[c] : 0.0F;
   }
@@ -193,7 +194,7 @@ std::vector<float> PlateSystem::Gather(const PlateLattice& lattice) const {
 void PlateSystem::Scatter(const std::vector<float>& x, PlateLattice* lattice) const {
   for (int r = 0; r < lattice->z.rows; ++r) {
     const auto* on = lattice->active.ptr<std::uint8_t>(r);
-    float* z = lattice->z.ptr<float>(r);
+    auto* z = lattice->z.ptr<float>(r);
     const float* in = &x[At(0, r)];
     for (int c = 0; c < lattice->z.cols; ++c) z[c] = on[c] != 0 ? in[c] : 0.0F;
   }

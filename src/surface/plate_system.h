@@ -24,8 +24,9 @@ class PlateSystem {
   // The plate's resistance to bending, and its tension, without samples.
   PlateSystem(const PlateOptions& options, const PlateLattice& lattice);
 
-  // Adds samples, which have a place and a weight each; those without one are left out.
-  void AddSamples(std::span<const LatticePlace> places, std::span<const float> weights);
+  // Adds samples, which have a place and a weight each; those without one are left out. With `each` above 1,
+  // only every so many, which stand for the others.
+  void AddSamples(std::span<const LatticePlace> places, std::span<const float> weights, std::size_t each = 1);
   // Adds to a right side of size() values what samples with these heights bring.
   void AddHeights(std::span<const float> heights, std::span<const LatticePlace> places,
                   std::span<const float> weights, std::vector<float>* right) const;

@@ -85,6 +85,7 @@ TEST(PlateSystem, ItsSolutionIsThatOfTheWholeMatrix) {
   const std::vector<PlateGrid> grids = MakeGrids(l, 1.0, samples);
   const std::vector<float> weights(samples.size(), 30.0F);
   std::vector<float> heights;
+  heights.reserve(samples.size());
   for (const PlateSample& p : samples) heights.push_back(p.z);
   std::vector<PlateSystem> systems;
   for (const PlateGrid& grid : grids) {

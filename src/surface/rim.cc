@@ -2,6 +2,7 @@
 #include "surface/rim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -29,19 +30,33 @@ Amplitude FitAmplitude(const std::vector<Row>& rows) {
   Amplitude out;
   if (rows.size() < 12) return out;
   Eigen::Vector4d x = Eigen::Vector4d::Zero();
-  Eigen::Matrix4d n = Eigen::Matrix4d::Zero();
+  Eigen::Matrix4d n;
   for (int round = 0; round < kRounds; ++round) {
-    n.setZero();
-    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    // The upper half of the normal equations, then the right side.
+    std::array<double, 14> s{};
     for (const Row& r : rows) {
-      const Eigen::Vector4d a(1.0, r.du, r.dv, r.profile);
-      const double e = round == 0 ? 0.0 : (r.z - a.dot(x)) / kScale;
-      const double w = r.weight / (1.0 + e * e);
-      n += w * a * a.transpose();
-      right += w * r.z * a;
+      const double e = r.z - (x[0] + x[1] * r.du + x[2] * r.dv + x[3] * r.profile);
+      const double w = round == 0 ? r.weight : r.weight / (1.0 + e * e / (kScale * kScale));
+      const double u = w * r.du, v = w * r.dv, p = w * r.profile;
+      const std::array<double, 14> terms = {w,
+                                            u,
+                                            v,
+                                            p,
+                                            u * r.du,
+                                            u * r.dv,
+                                            u * r.profile,
+                                            v * r.dv,
+                                            v * r.profile,
+                                            p * r.profile,
+                                            w * r.z,
+                                            u * r.z,
+                                            v * r.z,
+                                            p * r.z};
+      for (std::size_t i = 0; i < terms.size(); ++i) s[i] += terms[i];
     }
+    n << s[0], s[1], s[2], s[3], s[1], s[4], s[5], s[6], s[2], s[5], s[7], s[8], s[3], s[6], s[8], s[9];
     n.diagonal() += Eigen::Vector4d(1e-6, 1e-3, 1e-3, 1e-3);
-    x = n.ldlt().solve(right);
+    x = n.ldlt().solve(Eigen::Vector4d(s[10], s[11], s[12], s[13]));
   }
   const Eigen::Matrix3d plane = n.topLeftCorner<3, 3>();
   const Eigen::Vector3d cross = n.topRightCorner<3, 1>();
@@ -72,11 +87,15 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
 
   const double reach = options.neighbourhood_mm / options.mm_per_px;
   std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(size.area()));
+  std::vector<float> profiles(samples.size(), 0.0F);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PlateSample& s = samples[i];
     const long c = std::lround((s.u - b.x) / step_px), r = std::lround((s.v - b.y) / step_px);
     if (c < 0 || r < 0 || c >= size.width || r >= size.height) continue;
-    if (s.weight <= 0.0F || outline.Distance(s.u, s.v) * options.mm_per_px > options.reach_mm) continue;
+    if (s.weight <= 0.0F) continue;
+    const float distance = outline.Distance(s.u, s.v);
+    if (distance * options.mm_per_px > options.reach_mm) continue;
+    profiles[i] = Profile(distance);
     cells[static_cast<std::size_t>(r * size.width + c)].push_back(static_cast<std::uint32_t>(i));
   }
   std::vector<Amplitude> found(cells.size());
@@ -92,10 +111,9 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
         for (int x = std::max(0, c - span); x <= std::min(size.width - 1, c + span); ++x) {
           for (const std::uint32_t i : cells[static_cast<std::size_t>(y * size.width + x)]) {
             const PlateSample& s = samples[i];
-            const double q = std::hypot(s.u - u, s.v - v) / reach;
-            if (q >= 1.0) continue;
-            rows.push_back({(s.u - u) * options.mm_per_px, (s.v - v) * options.mm_per_px,
-                            Profile(outline.Distance(s.u, s.v)), s.z, (1.0 - q * q) * (1.0 - q * q)});
+            const double du = s.u - u, dv = s.v - v, rest = 1.0 - (du * du + dv * dv) / (reach * reach);
+            if (rest <= 0.0) continue;
+            rows.push_back({du * options.mm_per_px, dv * options.mm_per_px, profiles[i], s.z, rest * rest});
           }
         }
       }
@@ -122,8 +140,10 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
 }
 
 float Rim::Height(double u, double v) const {
+  const float profile = Profile(outline_.Distance(u, v));
+  if (profile == 0.0F) return 0.0F;  // most of a hand is out of reach
   const float a = HeightAt(amplitude_, u, v);
-  return std::isfinite(a) ? a * Profile(outline_.Distance(u, v)) : 0.0F;
+  return std::isfinite(a) ? a * profile : 0.0F;
 }
 
 }  // namespace dorsum

@@ -53,6 +53,22 @@ PlateLattice CopyOf(const PlateLattice& l) {
   return out;
 }
 
+// Geman and McClure's weights for the residuals against a grid's present surface.
+std::vector<float> Reweigh(const std::vector<PlateSample>& samples, const PlateGrid& grid, double scale_mm,
+                           double sigmas) {
+  std::vector<float> out(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PlateSample& s = samples[i];
+    out[i] = s.weight;
+    const float z = HeightAt(grid.lattice, grid.places[i]);
+    if (s.weight <= 0.0F || !std::isfinite(z)) continue;
+    const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
+    const double e = (s.z - z) / scale;
+    out[i] = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
+  }
+  return out;
+}
+
 class Fuser {
  public:
   Fuser(const SurfacePoints& points, const Camera& camera, const cv::Mat& mask,
@@ -61,7 +77,8 @@ class Fuser {
         options_(options),
         context_(context),
         mm_per_px_(MmPerPixel(points, camera)),
-        outline_(mask, static_cast<int>(std::ceil(2.0 * options.pitch_mm / mm_per_px_)) + 1),
+        outline_(mask, static_cast<int>(std::ceil(2.0 * options.pitch_mm / mm_per_px_)) + 1,
+                 static_cast<int>(std::ceil(RimOptions().reach_mm / mm_per_px_)) + 2),
         rays_(camera, outline_.bounds()) {
     plate_.mm_per_px = mm_per_px_;
     plate_.max_iterations = kIterations;
@@ -136,22 +153,6 @@ class Fuser {
     }
     out_.mesh = MeshLattice(finest, outline_, rays_, options_.max_slope_deg);
     out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm);
-  }
-
-  // Geman and McClure's weights for the residuals against a level's present surface.
-  std::vector<float> Reweigh(const std::vector<PlateSample>& samples, const PlateGrid& grid, double scale_mm,
-                             double sigmas) const {
-    std::vector<float> out(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const PlateSample& s = samples[i];
-      out[i] = s.weight;
-      const float z = HeightAt(grid.lattice, grid.places[i]);
-      if (s.weight <= 0.0F || !std::isfinite(z)) continue;
-      const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
-      const double e = (s.z - z) / scale;
-      out[i] = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
-    }
-    return out;
   }
 
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
@@ -236,7 +237,8 @@ class Fuser {
         level, level,
         {.mm_per_px = mm_per_px_, .window_mm = 3.0, .correlation_area_mm2 = 1.0, .share_between = 1.0});
     std::vector<PlateSample> pooled = PooledSamples();
-    const std::vector<PlateGrid> grids = dorsum::MakeGrids(level, mm_per_px_, pooled);
+    std::vector<PlateGrid> grids(grids_.begin() + (coarsest_ > 0 ? 1 : 0), grids_.end());
+    grids[0].lattice = level;
     SetWeights(Reweigh(pooled, grids[0], 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas),
                &pooled);
     out_.lasers = dorsum::CompareLasers(pooled, lasers_, grids, plate_, rim, rays_, {.mm_per_px = mm_per_px_},
