@@ -206,24 +206,25 @@ TEST(CalibrateTest, WithoutBoxesHeightsStayUncorrectedAndThatIsSaid) {
 
 // Cancelled at each of its reports of progress in turn; fewer pictures make the same reports.
 TEST(CalibrateTest, CancelledAnywhereItLeavesNothing) {
-  const TempFolder copy;
-  ScanFixture::CopyFolder(ScanFixture::CalibrationDir(), copy / "series");
-  RemoveLaser(copy / "series", 2);
+  const TempFolder dir;
+  ScanFixture::CopyFolder(ScanFixture::CalibrationDir(), dir / "series");
+  RemoveLaser(dir / "series", 2);
   for (const double height : {10.0, 40.0})
-    fs::remove_all(copy / "series" / kHeightsFolder / HeightFolderName(height));
+    fs::remove_all(dir / "series" / kHeightsFolder / HeightFolderName(height));
+  const fs::path out = dir / "out";
+  fs::create_directories(out);
   int reports = 0;
   for (int at = 1;; ++at) {
-    const TempFolder dir;
     std::atomic<bool> cancel{false};
     Context context;
     context.cancel = &cancel;
     reports = 0;
     context.progress = [&](std::string_view, double) { cancel = cancel || ++reports >= at; };
-    const auto run = CalibrateFolder(copy / "series", dir / "c.json", {}, context);
+    const auto run = CalibrateFolder(dir / "series", out / "c.json", {}, context);
     if (run.ok() && !cancel) break;  // `at` is beyond the last report
     ASSERT_FALSE(run.ok()) << "went on after report " << at;
-    EXPECT_EQ(run.error().code, ErrorCode::kCancelled) << run.error().message;
-    EXPECT_TRUE(IsEmpty(dir)) << "cancelled at report " << at;
+    ASSERT_EQ(run.error().code, ErrorCode::kCancelled) << run.error().message;
+    EXPECT_TRUE(fs::is_empty(out)) << "cancelled at report " << at;
   }
   EXPECT_GE(reports, 5);
 }
