@@ -15,6 +15,7 @@
 #include "studio/campaign_removal.h"
 #include "studio/campaign_table.h"
 #include "studio/fitted_picture.h"
+#include "studio/library_words.h"
 
 namespace dorsum {
 namespace {
@@ -88,7 +89,7 @@ CampaignDetails::CampaignDetails(Workbench* workbench, CampaignModel* model, Cam
   connect(&workbench->device(), &DeviceSession::Closed, this, &CampaignDetails::ShowLive);
   connect(&workbench->device(), &DeviceSession::Failed, this, [this](const Error& error) {
     live_->setVisible(workbench_->device().facts().has_value());
-    live_->Clear(tr("No picture: %1").arg(QString::fromStdString(error.message)));
+    live_->Clear(tr("No picture: %1").arg(InOwnWords(error.message)));
     Refresh();
   });
   ShowLive();

@@ -14,6 +14,7 @@
 
 #include "calibration/calibration_file.h"
 #include "captures/series_plan.h"
+#include "jobs/reconstruct_options.h"
 #include "studio/library_words.h"
 #include "studio/window_fixture_test.h"
 
@@ -129,6 +130,9 @@ TEST_F(LanguageTest, WhatTheLibrariesSayInOrdinaryUseIsKnown) {
     EXPECT_TRUE(IsKnownText(part.verdict)) << part.verdict;
     for (const Figure& figure : part.figures) EXPECT_TRUE(IsKnownText(figure.name)) << figure.name;
   }
+  ReconstructOptions options;
+  const OptionTable table = DescribeReconstructOptions(&options);
+  for (const OptionSpec& option : table.specs()) EXPECT_TRUE(IsKnownText(option.help)) << option.help;
   ASSERT_TRUE(SpeakLanguage(qApp, "de"));
   EXPECT_EQ(
       InOwnWords("Again: the chessboard lies as it did before. Clear the backplane."),

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <utility>
 
+#include "studio/library_words.h"
+
 namespace dorsum {
 namespace {
 
@@ -100,7 +102,7 @@ OptionPanel::OptionPanel(OptionTable* table, QWidget* parent)
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const QString name = QString::fromStdString(rows_[i].spec->name);
-    const QString help = QString::fromStdString(rows_[i].spec->help);
+    const QString help = InOwnWords(rows_[i].spec->help);
     QWidget* editor = rows_[i].editor = MakeEditor(i);
     editor->setObjectName(name);
     editor->setAccessibleName(name);

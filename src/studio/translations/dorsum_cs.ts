@@ -2,6 +2,41 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="cs" sourcelanguage="en">
 <context>
+    <name>Removal</name>
+    <message>
+        <source>Remove</source>
+        <translation>Odstranit</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Odstranit</translation>
+    </message>
+    <message>
+        <source>Remove %1, session %2, %3, capture %4?</source>
+        <translation>Odstranit %1, sezení %2, %3, snímek %4?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Its %n picture(s) are deleted for good. The next capture of this hand takes its number.</source>
+        <translation>
+            <numerusform>Jeho %n obraz se nenávratně smaže. Další snímek této ruky dostane jeho číslo.</numerusform>
+            <numerusform>Jeho %n obrazy se nenávratně smažou. Další snímek této ruky dostane jeho číslo.</numerusform>
+            <numerusform>Jeho %n obrazů se nenávratně smaže. Další snímek této ruky dostane jeho číslo.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n capture(s), %1 together, are deleted for good. The id and what was said of the person go too. Exports, surfaces and backups are not reached.</source>
+        <translation>
+            <numerusform>Nenávratně se smaže %n snímek, celkem %1, i identifikátor a údaje o osobě. Exporty, povrchy a zálohy tím dotčeny nejsou.</numerusform>
+            <numerusform>Nenávratně se smažou %n snímky, celkem %1, i identifikátor a údaje o osobě. Exporty, povrchy a zálohy tím dotčeny nejsou.</numerusform>
+            <numerusform>Nenávratně se smaže %n snímků, celkem %1, i identifikátor a údaje o osobě. Exporty, povrchy a zálohy tím dotčeny nejsou.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove %1 from the campaign?</source>
+        <translation>Odstranit %1 z kampaně?</translation>
+    </message>
+</context>
+<context>
     <name>dorsum::Banner</name>
     <message>
         <source>What went wrong</source>
@@ -334,6 +369,414 @@
     </message>
 </context>
 <context>
+    <name>dorsum::CampaignCaptures</name>
+    <message>
+        <source>%1, session %2, %3, capture %4: %5.</source>
+        <translation>%1, sezení %2, %3, snímek %4: %5.</translation>
+    </message>
+    <message>
+        <source>The picture of a laser is missing.</source>
+        <translation>Chybí obraz jednoho laseru.</translation>
+    </message>
+    <message>
+        <source>It has no calibration.</source>
+        <translation>Nemá kalibraci.</translation>
+    </message>
+    <message>
+        <source>Session %1, %2, %3</source>
+        <translation>Sezení %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignDetails</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Živý obraz</translation>
+    </message>
+    <message>
+        <source>Captures</source>
+        <translation>Snímky</translation>
+    </message>
+    <message>
+        <source>&amp;Look at it</source>
+        <translation>&amp;Prohlédnout</translation>
+    </message>
+    <message>
+        <source>Reconstructs the chosen capture, for the pages Surface and Stages</source>
+        <translation>Zrekonstruuje zvolený snímek pro stránky Povrch a Kroky</translation>
+    </message>
+    <message>
+        <source>Remove &amp;capture…</source>
+        <translation>Smazat sní&amp;mek…</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen capture, to take it again</source>
+        <translation>Smaže zvolený snímek, aby bylo možné pořídit jej znovu</translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Žádný obraz: %1</translation>
+    </message>
+    <message>
+        <source>C&amp;orrect…</source>
+        <translation>Op&amp;ravit…</translation>
+    </message>
+    <message>
+        <source>Replaces what was said of the person wrongly</source>
+        <translation>Nahradí chybné údaje o osobě</translation>
+    </message>
+    <message>
+        <source>Remove &amp;person…</source>
+        <translation>Odstranit oso&amp;bu…</translation>
+    </message>
+    <message>
+        <source>Deletes the person with all captures, for good</source>
+        <translation>Nenávratně smaže osobu se všemi snímky</translation>
+    </message>
+    <message>
+        <source>Takes what is missing next, with the open device (Ctrl+Return)</source>
+        <translation>Pořídí otevřeným zařízením, co chybí jako další (Ctrl+Enter)</translation>
+    </message>
+    <message>
+        <source>From a &amp;folder…</source>
+        <translation>Z&amp;e složky…</translation>
+    </message>
+    <message>
+        <source>Takes over a capture that lies in a folder already</source>
+        <translation>Převezme snímek, který už je ve složce</translation>
+    </message>
+    <message>
+        <source>Choose a person in the table, or add one.</source>
+        <translation>Zvolte osobu v tabulce, nebo nějakou přidejte.</translation>
+    </message>
+    <message>
+        <source>%1, session %2, %3</source>
+        <translation>%1, sezení %2, %3</translation>
+    </message>
+    <message>
+        <source>Next: session %1, %2; %3 missing.</source>
+        <translation>Další: sezení %1, %2; chybí %3.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing here.</source>
+        <translation>Tady nic nechybí.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n capture(s) are missing in all.</source>
+        <translation>
+            <numerusform>Celkem chybí %n snímek.</numerusform>
+            <numerusform>Celkem chybějí %n snímky.</numerusform>
+            <numerusform>Celkem chybí %n snímků.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No device is open; open one on the Device page.</source>
+        <translation>Žádné zařízení není otevřené; otevřete je na stránce Zařízení.</translation>
+    </message>
+    <message>
+        <source>&amp;Make all that is missing</source>
+        <translation>Vytvořit vše ch&amp;ybějící</translation>
+    </message>
+    <message>
+        <source>Capture the %1</source>
+        <translation>Pořídit: %1</translation>
+    </message>
+    <message>
+        <source>Capture</source>
+        <translation>Pořídit</translation>
+    </message>
+    <message>
+        <source>Take over a capture folder</source>
+        <translation>Převzít složku snímku</translation>
+    </message>
+    <message>
+        <source>Waiting for a picture…</source>
+        <translation>Čeká se na obraz…</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignModel</name>
+    <message>
+        <source>Reading the campaign</source>
+        <translation>Čte se kampaň</translation>
+    </message>
+    <message>
+        <source>Making the campaign</source>
+        <translation>Zakládá se kampaň</translation>
+    </message>
+    <message>
+        <source>The campaign %1 is there. Add the first person.</source>
+        <translation>Kampaň %1 je založena. Přidejte první osobu.</translation>
+    </message>
+    <message>
+        <source>Capturing virtual people</source>
+        <translation>Snímají se virtuální osoby</translation>
+    </message>
+    <message>
+        <source>%1 virtual people with %2 captures are there.</source>
+        <translation>Virtuální osoby: %1, jejich snímky: %2.</translation>
+    </message>
+    <message>
+        <source>Adding a person</source>
+        <translation>Přidává se osoba</translation>
+    </message>
+    <message>
+        <source>What is said of %1 is corrected.</source>
+        <translation>Údaje o %1 jsou opraveny.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the campaign now.</source>
+        <translation>%1 nyní patří do kampaně.</translation>
+    </message>
+    <message>
+        <source>Removing a person</source>
+        <translation>Odstraňuje se osoba</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removed the person and %n capture(s). Exports, surfaces and backups are not reached.</source>
+        <translation>
+            <numerusform>Odstraněna osoba a %n snímek. Exporty, povrchy a zálohy tím dotčeny nejsou.</numerusform>
+            <numerusform>Odstraněna osoba a %n snímky. Exporty, povrchy a zálohy tím dotčeny nejsou.</numerusform>
+            <numerusform>Odstraněna osoba a %n snímků. Exporty, povrchy a zálohy tím dotčeny nejsou.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing a capture</source>
+        <translation>Odstraňuje se snímek</translation>
+    </message>
+    <message>
+        <source>Removed %1. The next capture of this hand takes its number.</source>
+        <translation>%1 odstraněno. Další snímek této ruky dostane jeho číslo.</translation>
+    </message>
+    <message>
+        <source>Capturing %1, session %2, %3</source>
+        <translation>Snímá se %1, sezení %2, %3</translation>
+    </message>
+    <message>
+        <source>Taking over a capture</source>
+        <translation>Přebírá se snímek</translation>
+    </message>
+    <message>
+        <source>%1, session %2, %3: capture %4 of %5 is stored.</source>
+        <translation>%1, sezení %2, %3: snímek %4 z %5 je uložen.</translation>
+    </message>
+    <message>
+        <source>Reconstructing %1</source>
+        <translation>Rekonstruuje se %1</translation>
+    </message>
+    <message>
+        <source>%1 is on the pages Surface and Stages now.</source>
+        <translation>%1 je nyní na stránkách Povrch a Kroky.</translation>
+    </message>
+    <message>
+        <source>Verifying the campaign</source>
+        <translation>Ověřuje se kampaň</translation>
+    </message>
+    <message numerus="yes">
+        <source>Verified: all %n file(s) are as they were stored.</source>
+        <translation>
+            <numerusform>Ověřeno: %n soubor je takový, jak byl uložen.</numerusform>
+            <numerusform>Ověřeno: všechny %n soubory jsou takové, jak byly uloženy.</numerusform>
+            <numerusform>Ověřeno: všech %n souborů je takových, jak byly uloženy.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Verified: the campaign is not as it was stored, with %n finding(s). Bring back what is missing or damaged from a copy of the folder, or remove the capture and take it again.</source>
+        <translation>
+            <numerusform>Ověřeno: kampaň není taková, jak byla uložena; %n nález. Co chybí nebo je poškozené, vraťte z kopie složky, nebo snímek odstraňte a pořiďte znovu.</numerusform>
+            <numerusform>Ověřeno: kampaň není taková, jak byla uložena; %n nálezy. Co chybí nebo je poškozené, vraťte z kopie složky, nebo snímek odstraňte a pořiďte znovu.</numerusform>
+            <numerusform>Ověřeno: kampaň není taková, jak byla uložena; %n nálezů. Co chybí nebo je poškozené, vraťte z kopie složky, nebo snímek odstraňte a pořiďte znovu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exporting the campaign</source>
+        <translation>Exportuje se kampaň</translation>
+    </message>
+    <message>
+        <source>Exported %1 people with %2 captures to %3.</source>
+        <translation>Exportováno do %3: osoby: %1, snímky: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignPage</name>
+    <message>
+        <source>%1 of %2 people</source>
+        <translation>%1 z %2 osob</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n osoba</numerusform>
+            <numerusform>%n osoby</numerusform>
+            <numerusform>%n osob</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 are there, %2 of them with all captures; %3 of %4 captures.</source>
+        <translation>Zatím %1, z toho %2 se všemi snímky; %3 z %4 snímků.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Nálezy</translation>
+    </message>
+    <message>
+        <source>Nothing is missing of the people who came.</source>
+        <translation>Od osob, které přišly, nic nechybí.</translation>
+    </message>
+    <message>
+        <source>A campaign collects captures of many people: who came, which hands are there, and what is missing. Open the folder of one, or begin a new one; one of virtual people needs no device.</source>
+        <translation>Kampaň shromažďuje snímky mnoha osob: kdo přišel, které ruce už jsou a co chybí. Otevřete složku některé kampaně, nebo začněte novou; kampaň s virtuálními osobami nepotřebuje zařízení.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a campaign…</source>
+        <translation>&amp;Otevřít kampaň…</translation>
+    </message>
+    <message>
+        <source>Opens the folder of a campaign</source>
+        <translation>Otevře složku kampaně</translation>
+    </message>
+    <message>
+        <source>&amp;New campaign…</source>
+        <translation>Nová &amp;kampaň…</translation>
+    </message>
+    <message>
+        <source>Begins a campaign in a new folder</source>
+        <translation>Začne kampaň v nové složce</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Otevřít…</translation>
+    </message>
+    <message>
+        <source>Opens the folder of another campaign</source>
+        <translation>Otevře složku jiné kampaně</translation>
+    </message>
+    <message>
+        <source>&amp;New…</source>
+        <translation>Nov&amp;á…</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>O&amp;věřit</translation>
+    </message>
+    <message>
+        <source>Reads every byte: is all as it was stored?</source>
+        <translation>Přečte každý bajt: je vše tak, jak bylo uloženo?</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportovat…</translation>
+    </message>
+    <message>
+        <source>Writes the captures for others, under new random ids and without personal data</source>
+        <translation>Zapíše snímky pro ostatní, pod novými náhodnými identifikátory a bez osobních údajů</translation>
+    </message>
+    <message>
+        <source>Open the folder of a campaign</source>
+        <translation>Otevřít složku kampaně</translation>
+    </message>
+    <message>
+        <source>Something of this campaign cannot be read, and does not count. Verify says more.</source>
+        <translation>Něco v této kampani nelze přečíst, a proto se nepočítá. Více řekne Ověřit.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignPeople</name>
+    <message>
+        <source>Only &amp;what is missing</source>
+        <translation>Jen &amp;chybějící</translation>
+    </message>
+    <message>
+        <source>&amp;Add a person…</source>
+        <translation>Přid&amp;at osobu…</translation>
+    </message>
+    <message>
+        <source>Find an id</source>
+        <translation>Najít identifikátor</translation>
+    </message>
+    <message>
+        <source>Hides the people of whom all is there</source>
+        <translation>Skryje osoby, od kterých je už vše</translation>
+    </message>
+    <message>
+        <source>With the day of the consent</source>
+        <translation>S datem souhlasu</translation>
+    </message>
+    <message>
+        <source>Next &amp;gap</source>
+        <translation>&amp;Další chybějící</translation>
+    </message>
+    <message>
+        <source>Goes to the next hand of which something is missing</source>
+        <translation>Přejde na další ruku, od které něco chybí</translation>
+    </message>
+    <message>
+        <source>People and their hands</source>
+        <translation>Osoby a jejich ruce</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignTable</name>
+    <message>
+        <source>left hand</source>
+        <translation>levá ruka</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>pravá ruka</translation>
+    </message>
+    <message>
+        <source>man</source>
+        <translation>muž</translation>
+    </message>
+    <message>
+        <source>woman</source>
+        <translation>žena</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>jiné</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>neuvedeno</translation>
+    </message>
+    <message>
+        <source>%1 is a virtual person.</source>
+        <translation>%1 je virtuální osoba.</translation>
+    </message>
+    <message>
+        <source>%1 consented on %2.</source>
+        <translation>Souhlas %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>%1, session %2, %3: %4 captures are there, %5 are missing.</source>
+        <translation>%1, sezení %2, %3: hotové snímky: %4, chybějící: %5.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Pohlaví</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Věk</translation>
+    </message>
+    <message>
+        <source>Session %1,
+%2</source>
+        <translation>Sezení %1,
+%2</translation>
+    </message>
+</context>
+<context>
     <name>dorsum::DeviceModel</name>
     <message>
         <source>LEDs</source>
@@ -619,6 +1062,80 @@
     </message>
 </context>
 <context>
+    <name>dorsum::ExportDialog</name>
+    <message>
+        <source>Export the campaign</source>
+        <translation>Exportovat kampaň</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportovat</translation>
+    </message>
+    <message>
+        <source>Tell sex and age group too</source>
+        <translation>Uvést i pohlaví a věkovou skupinu</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Název:</translation>
+    </message>
+    <message>
+        <source>The name of the new folder</source>
+        <translation>Název nové složky</translation>
+    </message>
+    <message>
+        <source>&amp;In the folder:</source>
+        <translation>&amp;Ve složce:</translation>
+    </message>
+    <message>
+        <source>The export becomes a folder of its own in it</source>
+        <translation>Export v ní bude mít vlastní složku</translation>
+    </message>
+    <message>
+        <source>&amp;Groups:</source>
+        <translation>&amp;Skupiny:</translation>
+    </message>
+    <message>
+        <source>Only where groups are large enough. Without it, nobody is told anything but the pictures under new random ids.</source>
+        <translation>Jen kde jsou skupiny dost velké. Bez toho se předají jen obrazy pod novými náhodnými identifikátory.</translation>
+    </message>
+    <message>
+        <source>&amp;Least:</source>
+        <translation>Nej&amp;méně:</translation>
+    </message>
+    <message>
+        <source>People that each group must have to be told</source>
+        <translation>Kolik osob musí skupina mít, aby byla uvedena</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::FormDialog</name>
+    <message>
+        <source>Give it a name.</source>
+        <translation>Zadejte název.</translation>
+    </message>
+    <message>
+        <source>The name becomes a folder: it holds no slash and does not begin with a point.</source>
+        <translation>Z názvu se stane složka: neobsahuje lomítko a nezačíná tečkou.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that is there, to put it in.</source>
+        <translation>Zvolte existující složku, do které to přijde.</translation>
+    </message>
+    <message>
+        <source>%1 is there already; choose another name.</source>
+        <translation>%1 už existuje; zvolte jiný název.</translation>
+    </message>
+    <message>
+        <source>What is still to be done</source>
+        <translation>Co je ještě třeba udělat</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Zvolit…</translation>
+    </message>
+</context>
+<context>
     <name>dorsum::LiveView</name>
     <message>
         <source>Live picture</source>
@@ -730,6 +1247,246 @@
     <message>
         <source>Calibrations and surfaces (*.json *.ply)</source>
         <translation>Kalibrace a povrchy (*.json *.ply)</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Kroky</translation>
+    </message>
+    <message>
+        <source>See each step of the computation, the document&apos;s beside ours</source>
+        <translation>Vidět každý krok výpočtu, postup z dokumentu vedle našeho</translation>
+    </message>
+    <message>
+        <source>Campaign</source>
+        <translation>Kampaň</translation>
+    </message>
+    <message>
+        <source>Collect captures of many people, and see what is missing</source>
+        <translation>Shromažďovat snímky mnoha osob a vidět, co chybí</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::NewCampaignDialog</name>
+    <message>
+        <source>New campaign</source>
+        <translation>Nová kampaň</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Začít</translation>
+    </message>
+    <message>
+        <source>The one that is open</source>
+        <translation>Ta, která je otevřená</translation>
+    </message>
+    <message>
+        <source>Captured without a device</source>
+        <translation>Snímáno bez zařízení</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Název:</translation>
+    </message>
+    <message>
+        <source>A name for people to read, and the name of the folder</source>
+        <translation>Čitelný název, zároveň název složky</translation>
+    </message>
+    <message>
+        <source>&amp;In the folder:</source>
+        <translation>&amp;Ve složce:</translation>
+    </message>
+    <message>
+        <source>The campaign becomes a folder of its own in it</source>
+        <translation>Kampaň v ní bude mít vlastní složku</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>neuvedeno</translation>
+    </message>
+    <message>
+        <source>&amp;People:</source>
+        <translation>&amp;Osoby:</translation>
+    </message>
+    <message>
+        <source>How many people are hoped for</source>
+        <translation>V kolik osob se doufá</translation>
+    </message>
+    <message>
+        <source>&amp;Sessions:</source>
+        <translation>&amp;Sezení:</translation>
+    </message>
+    <message>
+        <source>Visits of each person</source>
+        <translation>Návštěvy každé osoby</translation>
+    </message>
+    <message>
+        <source>C&amp;aptures:</source>
+        <translation>Sní&amp;mky:</translation>
+    </message>
+    <message>
+        <source>Captures of each hand in each session</source>
+        <translation>Snímky každé ruky v každém sezení</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>obě</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>levá</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>pravá</translation>
+    </message>
+    <message>
+        <source>&amp;Hands:</source>
+        <translation>&amp;Ruce:</translation>
+    </message>
+    <message>
+        <source>Which hands are captured</source>
+        <translation>Které ruce se snímají</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration:</source>
+        <translation>&amp;Kalibrace:</translation>
+    </message>
+    <message>
+        <source>No calibration is open. The first capture can bring one.</source>
+        <translation>Žádná kalibrace není otevřená. Může ji přinést první snímek.</translation>
+    </message>
+    <message>
+        <source>&amp;Virtual people:</source>
+        <translation>V&amp;irtuální osoby:</translation>
+    </message>
+    <message>
+        <source>Virtual people come to a virtual device, which is calibrated first. This takes minutes, and can be stopped and gone on with.</source>
+        <translation>Virtuální osoby přijdou k virtuálnímu zařízení, které se nejprve kalibruje. Trvá to minuty a lze to zastavit a pokračovat.</translation>
+    </message>
+    <message>
+        <source>S&amp;eed:</source>
+        <translation>&amp;Počáteční hodnota:</translation>
+    </message>
+    <message>
+        <source>Another seed is another virtual device with other people</source>
+        <translation>Jiná počáteční hodnota je jiné virtuální zařízení s jinými osobami</translation>
+    </message>
+    <message>
+        <source>Say how many virtual people are to come.</source>
+        <translation>Uveďte, kolik virtuálních osob má přijít.</translation>
+    </message>
+    <message>
+        <source>A seed has 1 to 200 characters.</source>
+        <translation>Počáteční hodnota má 1 až 200 znaků.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::OptionBox</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Zpě&amp;t</translation>
+    </message>
+    <message>
+        <source>Takes the last change of a parameter back (Ctrl+Z)</source>
+        <translation>Vrátí poslední změnu parametru (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Zno&amp;vu</translation>
+    </message>
+    <message>
+        <source>Makes the change again (Ctrl+Shift+Z)</source>
+        <translation>Provede změnu znovu (Ctrl+Shift+Z)</translation>
+    </message>
+    <message>
+        <source>R&amp;eset</source>
+        <translation>Vý&amp;chozí</translation>
+    </message>
+    <message>
+        <source>Puts all parameters back to their defaults; can be undone</source>
+        <translation>Vrátí všem parametrům výchozí hodnoty; lze vzít zpět</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::OptionPanel</name>
+    <message>
+        <source>Reset</source>
+        <translation>Výchozí</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::PersonDialog</name>
+    <message>
+        <source>Correct a person</source>
+        <translation>Opravit osobu</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Přidat osobu</translation>
+    </message>
+    <message>
+        <source>&amp;Correct</source>
+        <translation>&amp;Opravit</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>Přid&amp;at</translation>
+    </message>
+    <message>
+        <source>The person has signed it</source>
+        <translation>Osoba jej podepsala</translation>
+    </message>
+    <message>
+        <source>&amp;Id:</source>
+        <translation>&amp;Identifikátor:</translation>
+    </message>
+    <message>
+        <source>Pseudonymous, as p01; never a name. The list that says who p01 is belongs on paper, in another place.</source>
+        <translation>Pseudonymní, například p01; nikdy jméno. Seznam, kdo je p01, patří na papír, na jiné místo.</translation>
+    </message>
+    <message>
+        <source>&amp;Sex:</source>
+        <translation>&amp;Pohlaví:</translation>
+    </message>
+    <message>
+        <source>As the person says</source>
+        <translation>Jak uvádí osoba</translation>
+    </message>
+    <message>
+        <source>A&amp;ge group:</source>
+        <translation>&amp;Věková skupina:</translation>
+    </message>
+    <message>
+        <source>In years</source>
+        <translation>V letech</translation>
+    </message>
+    <message>
+        <source>C&amp;onsent:</source>
+        <translation>&amp;Souhlas:</translation>
+    </message>
+    <message>
+        <source>Without the consent nothing is stored</source>
+        <translation>Bez souhlasu se nic neuloží</translation>
+    </message>
+    <message>
+        <source>Signed o&amp;n:</source>
+        <translation>Po&amp;depsán dne:</translation>
+    </message>
+    <message>
+        <source>The day on which the person signed the consent. Without it nothing is stored.</source>
+        <translation>Den, kdy osoba podepsala souhlas. Bez něj se nic neuloží.</translation>
+    </message>
+    <message>
+        <source>Give the person an id, as p01; never a name.</source>
+        <translation>Dejte osobě identifikátor, například p01; nikdy jméno.</translation>
+    </message>
+    <message>
+        <source>%1 is in the campaign already; choose another id.</source>
+        <translation>%1 už v kampani je; zvolte jiný identifikátor.</translation>
+    </message>
+    <message>
+        <source>Nothing is stored of a person who has not signed the consent.</source>
+        <translation>O osobě, která nepodepsala souhlas, se nic neuloží.</translation>
     </message>
 </context>
 <context>
@@ -1006,6 +1763,173 @@
     <message>
         <source>Choose Section and two places of the surface: the cut through them is drawn here.</source>
         <translation>Zvolte Řez a dvě místa povrchu: zde se nakreslí řez jimi.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::StagesPage</name>
+    <message>
+        <source>Mask: difference</source>
+        <translation>Maska: rozdíl</translation>
+    </message>
+    <message>
+        <source>Mask: threshold</source>
+        <translation>Maska: práh</translation>
+    </message>
+    <message>
+        <source>Mask: coarse</source>
+        <translation>Maska: hrubá</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maska</translation>
+    </message>
+    <message>
+        <source>Mask: without shadow</source>
+        <translation>Maska: bez stínu</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Výšky</translation>
+    </message>
+    <message>
+        <source>Laser %1: orders</source>
+        <translation>Laser %1: řády</translation>
+    </message>
+    <message>
+        <source>Laser %1: points</source>
+        <translation>Laser %1: body</translation>
+    </message>
+    <message>
+        <source>Laser %1: edges</source>
+        <translation>Laser %1: hrany</translation>
+    </message>
+    <message>
+        <source>Laser %1: stripes</source>
+        <translation>Laser %1: pruhy</translation>
+    </message>
+    <message>
+        <source>Laser %1: stripe points</source>
+        <translation>Laser %1: body pruhů</translation>
+    </message>
+    <message>
+        <source>This chain ended early: %1. Take the last change back, or try other values.</source>
+        <translation>Tento řetězec skončil předčasně: %1. Vraťte poslední změnu, nebo zkuste jiné hodnoty.</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 faces, computed in %3 s</source>
+        <translation>Body: %1, trojúhelníky: %2, spočteno za %3 s</translation>
+    </message>
+    <message>
+        <source>Parameters of both</source>
+        <translation>Parametry obou</translation>
+    </message>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>Ukázat &amp;předchozí</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>Vypo&amp;čítat</translation>
+    </message>
+    <message>
+        <source>Stages of the chain</source>
+        <translation>Kroky řetězce</translation>
+    </message>
+    <message>
+        <source>A dot marks what the last change of a parameter changed</source>
+        <translation>Tečka označuje, co změnila poslední změna parametru</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Co se zobrazuje</translation>
+    </message>
+    <message>
+        <source>Shows the pictures of the parameters before the last change, to compare</source>
+        <translation>Pro porovnání ukáže obrazy s parametry před poslední změnou</translation>
+    </message>
+    <message>
+        <source>Computes the stages with the parameters as they are now</source>
+        <translation>Spočítá kroky s nynějšími parametry</translation>
+    </message>
+    <message>
+        <source>The document&apos;s chain</source>
+        <translation>Řetězec z dokumentu</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>Náš</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom; mouse or arrows: move; 0: all of it</source>
+        <translation>Kolečko nebo + a −: zvětšení; myš nebo šipky: posun; 0: celý obraz</translation>
+    </message>
+    <message>
+        <source>Figures: %1</source>
+        <translation>Údaje: %1</translation>
+    </message>
+    <message>
+        <source>Comparing the stages</source>
+        <translation>Porovnávají se kroky</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>změněno</translation>
+    </message>
+    <message>
+        <source>Scan a hand, or open a calibration and a capture folder (File menu): its stages are shown here.</source>
+        <translation>Naskenujte ruku, nebo otevřete kalibraci a složku snímku (nabídka Soubor): zde se ukážou jeho kroky.</translation>
+    </message>
+    <message>
+        <source>Only a surface is open, which has no stages. Open a capture folder (File menu).</source>
+        <translation>Otevřen je jen povrch, který nemá kroky. Otevřete složku snímku (nabídka Soubor).</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Počítá se…</translation>
+    </message>
+    <message>
+        <source>The stages come when the other work is done.</source>
+        <translation>Kroky přijdou, až skončí ostatní práce.</translation>
+    </message>
+    <message>
+        <source>The computation was stopped. Compute begins it again.</source>
+        <translation>Výpočet byl zastaven. Znovu jej začne Vypočítat.</translation>
+    </message>
+    <message>
+        <source>Before the last change of the parameters.</source>
+        <translation>Před poslední změnou parametrů.</translation>
+    </message>
+    <message>
+        <source>Computing with the new parameters…</source>
+        <translation>Počítá se s novými parametry…</translation>
+    </message>
+    <message>
+        <source>The parameters changed.</source>
+        <translation>Parametry se změnily.</translation>
+    </message>
+    <message>
+        <source>The computation was stopped: these pictures are of other parameters.</source>
+        <translation>Výpočet byl zastaven: tyto obrazy patří k jiným parametrům.</translation>
+    </message>
+    <message>
+        <source>The last change of the parameters changed no picture.</source>
+        <translation>Poslední změna parametrů nezměnila žádný obraz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last change of the parameters changed %n picture(s); a dot marks them in the list.</source>
+        <translation>
+            <numerusform>Poslední změna parametrů změnila %n obraz; v seznamu jej označuje tečka.</numerusform>
+            <numerusform>Poslední změna parametrů změnila %n obrazy; v seznamu je označuje tečka.</numerusform>
+            <numerusform>Poslední změna parametrů změnila %n obrazů; v seznamu je označuje tečka.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This chain ended before this stage.</source>
+        <translation>Tento řetězec skončil před tímto krokem.</translation>
+    </message>
+    <message>
+        <source>This chain has no such stage.</source>
+        <translation>Tento řetězec takový krok nemá.</translation>
     </message>
 </context>
 <context>
@@ -1745,6 +2669,118 @@
     <message>
         <source>laser %1: points</source>
         <translation>laser %1: body</translation>
+    </message>
+    <message>
+        <source>how the object is found in the image (§3.4)</source>
+        <translation>jak se v obraze najde objekt (§3.4)</translation>
+    </message>
+    <message>
+        <source>how stripes are located (§3.4)</source>
+        <translation>jak se určí poloha pruhů (§3.4)</translation>
+    </message>
+    <message>
+        <source>how stripes get their orders (§3.5)</source>
+        <translation>jak pruhy dostanou své řády (§3.5)</translation>
+    </message>
+    <message>
+        <source>whether the surface&apos;s brightness is taken off the stripes&apos; centres (ridges)</source>
+        <translation>zda se ze středů pruhů odečte jas povrchu (ridge)</translation>
+    </message>
+    <message>
+        <source>model of a light sheet (§3.6)</source>
+        <translation>model světelné plochy (§3.6)</translation>
+    </message>
+    <message>
+        <source>surface error correction of plane sheets (3.9)</source>
+        <translation>korekce chyb povrchu u rovinných světelných ploch (3.9)</translation>
+    </message>
+    <message>
+        <source>how the lasers are merged</source>
+        <translation>jak se sloučí lasery</translation>
+    </message>
+    <message>
+        <source>a stripe keeps its order where any other costs this much more (joint)</source>
+        <translation>pruh si ponechá svůj řád, kde každý jiný stojí o tolik více (joint)</translation>
+    </message>
+    <message>
+        <source>the same for a whole surface</source>
+        <translation>totéž pro celý povrch</translation>
+    </message>
+    <message>
+        <source>how far the surface goes on beyond the last points, mm (robust)</source>
+        <translation>jak daleko povrch pokračuje za poslední body, mm (robust)</translation>
+    </message>
+    <message>
+        <source>widest gap between points that closes, mm (robust)</source>
+        <translation>nejširší mezera mezi body, která se uzavře, mm (robust)</translation>
+    </message>
+    <message>
+        <source>a point further from the surface than this, mm, and than … (robust)</source>
+        <translation>bod vzdálený od povrchu více než toto, mm, a více než … (robust)</translation>
+    </message>
+    <message>
+        <source>… that many of its sigma is left out (robust)</source>
+        <translation>… tolik jeho sigma, se vynechá (robust)</translation>
+    </message>
+    <message>
+        <source>side of the mask&apos;s opening, px</source>
+        <translation>strana otevření masky (morfologie), px</translation>
+    </message>
+    <message>
+        <source>least contrast of the object, 255ths of the background</source>
+        <translation>nejmenší kontrast objektu, 255tiny pozadí</translation>
+    </message>
+    <message>
+        <source>window of the stripes&apos; adaptive threshold, px</source>
+        <translation>okno adaptivního prahu pruhů, px</translation>
+    </message>
+    <message>
+        <source>edge response above its local mean, grey values</source>
+        <translation>odezva hrany nad jejím místním průměrem, stupně šedi</translation>
+    </message>
+    <message>
+        <source>side of the stripe mask&apos;s median, px</source>
+        <translation>strana mediánu masky pruhů, px</translation>
+    </message>
+    <message>
+        <source>smallest stripe region, px</source>
+        <translation>nejmenší oblast pruhu, px</translation>
+    </message>
+    <message>
+        <source>shortest stripe, px</source>
+        <translation>nejkratší pruh, px</translation>
+    </message>
+    <message>
+        <source>rows on either side smoothed together, px</source>
+        <translation>řádky na každé straně vyhlazované společně, px</translation>
+    </message>
+    <message>
+        <source>jump that parts a stripe, px</source>
+        <translation>skok, který pruh rozdělí, px</translation>
+    </message>
+    <message>
+        <source>V of Algorithm 2, in usual spacings</source>
+        <translation>V z algoritmu 2, v obvyklých rozestupech</translation>
+    </message>
+    <message>
+        <source>share of the central order&apos;s contrast that a level must show to be central</source>
+        <translation>podíl kontrastu prostředního řádu, který musí úroveň mít, aby byla prostřední</translation>
+    </message>
+    <message>
+        <source>grid of the height field, mm</source>
+        <translation>mřížka výškového pole, mm</translation>
+    </message>
+    <message>
+        <source>widest gap between stripes that is bridged, mm</source>
+        <translation>nejširší mezera mezi pruhy, která se překlene, mm</translation>
+    </message>
+    <message>
+        <source>steepest surface between stripes, degrees</source>
+        <translation>nejstrmější povrch mezi pruhy, stupně</translation>
+    </message>
+    <message>
+        <source>no device is open; open one on the Device page, then capture</source>
+        <translation>žádné zařízení není otevřené; otevřete je na stránce Zařízení a pak pořiďte snímek</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,39 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Removal</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1, session %2, %3, capture %4?</source>
+        <translation>%1, Sitzung %2, %3, Aufnahme %4 entfernen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Its %n picture(s) are deleted for good. The next capture of this hand takes its number.</source>
+        <translation>
+            <numerusform>Ihr %n Bild wird endgültig gelöscht. Die nächste Aufnahme dieser Hand bekommt ihre Nummer.</numerusform>
+            <numerusform>Ihre %n Bilder werden endgültig gelöscht. Die nächste Aufnahme dieser Hand bekommt ihre Nummer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n capture(s), %1 together, are deleted for good. The id and what was said of the person go too. Exports, surfaces and backups are not reached.</source>
+        <translation>
+            <numerusform>%n Aufnahme, zusammen %1, wird endgültig gelöscht. Die Kennung und die Angaben zur Person gehen mit. Exporte, Oberflächen und Sicherungen werden nicht erreicht.</numerusform>
+            <numerusform>%n Aufnahmen, zusammen %1, werden endgültig gelöscht. Die Kennung und die Angaben zur Person gehen mit. Exporte, Oberflächen und Sicherungen werden nicht erreicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove %1 from the campaign?</source>
+        <translation>%1 aus der Kampagne entfernen?</translation>
+    </message>
+</context>
+<context>
     <name>dorsum::Banner</name>
     <message>
         <source>What went wrong</source>
@@ -334,6 +367,409 @@
     </message>
 </context>
 <context>
+    <name>dorsum::CampaignCaptures</name>
+    <message>
+        <source>%1, session %2, %3, capture %4: %5.</source>
+        <translation>%1, Sitzung %2, %3, Aufnahme %4: %5.</translation>
+    </message>
+    <message>
+        <source>The picture of a laser is missing.</source>
+        <translation>Das Bild eines Lasers fehlt.</translation>
+    </message>
+    <message>
+        <source>It has no calibration.</source>
+        <translation>Sie hat keine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Session %1, %2, %3</source>
+        <translation>Sitzung %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignDetails</name>
+    <message>
+        <source>Live picture</source>
+        <translation>Livebild</translation>
+    </message>
+    <message>
+        <source>Captures</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>&amp;Look at it</source>
+        <translation>An&amp;sehen</translation>
+    </message>
+    <message>
+        <source>Reconstructs the chosen capture, for the pages Surface and Stages</source>
+        <translation>Rekonstruiert die gewählte Aufnahme für die Seiten Oberfläche und Stufen</translation>
+    </message>
+    <message>
+        <source>Remove &amp;capture…</source>
+        <translation>Aufnahme lös&amp;chen…</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen capture, to take it again</source>
+        <translation>Löscht die gewählte Aufnahme, um sie zu wiederholen</translation>
+    </message>
+    <message>
+        <source>No picture: %1</source>
+        <translation>Kein Bild: %1</translation>
+    </message>
+    <message>
+        <source>C&amp;orrect…</source>
+        <translation>&amp;Korrigieren…</translation>
+    </message>
+    <message>
+        <source>Replaces what was said of the person wrongly</source>
+        <translation>Ersetzt, was zur Person falsch angegeben wurde</translation>
+    </message>
+    <message>
+        <source>Remove &amp;person…</source>
+        <translation>Person &amp;entfernen…</translation>
+    </message>
+    <message>
+        <source>Deletes the person with all captures, for good</source>
+        <translation>Löscht die Person mit allen Aufnahmen endgültig</translation>
+    </message>
+    <message>
+        <source>Takes what is missing next, with the open device (Ctrl+Return)</source>
+        <translation>Nimmt mit dem offenen Gerät auf, was als Nächstes fehlt (Strg+Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>From a &amp;folder…</source>
+        <translation>A&amp;us einem Ordner…</translation>
+    </message>
+    <message>
+        <source>Takes over a capture that lies in a folder already</source>
+        <translation>Übernimmt eine Aufnahme, die schon in einem Ordner liegt</translation>
+    </message>
+    <message>
+        <source>Choose a person in the table, or add one.</source>
+        <translation>Wählen Sie in der Tabelle eine Person, oder fügen Sie eine hinzu.</translation>
+    </message>
+    <message>
+        <source>%1, session %2, %3</source>
+        <translation>%1, Sitzung %2, %3</translation>
+    </message>
+    <message>
+        <source>Next: session %1, %2; %3 missing.</source>
+        <translation>Als Nächstes: Sitzung %1, %2; %3 fehlen.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing here.</source>
+        <translation>Hier fehlt nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n capture(s) are missing in all.</source>
+        <translation>
+            <numerusform>Insgesamt fehlt %n Aufnahme.</numerusform>
+            <numerusform>Insgesamt fehlen %n Aufnahmen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No device is open; open one on the Device page.</source>
+        <translation>Kein Gerät ist offen; öffnen Sie eines auf der Geräteseite.</translation>
+    </message>
+    <message>
+        <source>&amp;Make all that is missing</source>
+        <translation>Alles Fehlende erzeu&amp;gen</translation>
+    </message>
+    <message>
+        <source>Capture the %1</source>
+        <translation>Aufnehmen: %1</translation>
+    </message>
+    <message>
+        <source>Capture</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take over a capture folder</source>
+        <translation>Ordner einer Aufnahme übernehmen</translation>
+    </message>
+    <message>
+        <source>Waiting for a picture…</source>
+        <translation>Warten auf ein Bild…</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignModel</name>
+    <message>
+        <source>Reading the campaign</source>
+        <translation>Kampagne wird gelesen</translation>
+    </message>
+    <message>
+        <source>Making the campaign</source>
+        <translation>Kampagne wird angelegt</translation>
+    </message>
+    <message>
+        <source>The campaign %1 is there. Add the first person.</source>
+        <translation>Die Kampagne %1 ist angelegt. Fügen Sie die erste Person hinzu.</translation>
+    </message>
+    <message>
+        <source>Capturing virtual people</source>
+        <translation>Virtuelle Personen werden aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 virtual people with %2 captures are there.</source>
+        <translation>Virtuelle Personen: %1, ihre Aufnahmen: %2.</translation>
+    </message>
+    <message>
+        <source>Adding a person</source>
+        <translation>Person wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>What is said of %1 is corrected.</source>
+        <translation>Die Angaben zu %1 sind korrigiert.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the campaign now.</source>
+        <translation>%1 gehört jetzt zur Kampagne.</translation>
+    </message>
+    <message>
+        <source>Removing a person</source>
+        <translation>Person wird entfernt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removed the person and %n capture(s). Exports, surfaces and backups are not reached.</source>
+        <translation>
+            <numerusform>Die Person und %n Aufnahme sind entfernt. Exporte, Oberflächen und Sicherungen werden nicht erreicht.</numerusform>
+            <numerusform>Die Person und %n Aufnahmen sind entfernt. Exporte, Oberflächen und Sicherungen werden nicht erreicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing a capture</source>
+        <translation>Aufnahme wird entfernt</translation>
+    </message>
+    <message>
+        <source>Removed %1. The next capture of this hand takes its number.</source>
+        <translation>%1 ist entfernt. Die nächste Aufnahme dieser Hand bekommt die Nummer.</translation>
+    </message>
+    <message>
+        <source>Capturing %1, session %2, %3</source>
+        <translation>Aufnahme von %1, Sitzung %2, %3</translation>
+    </message>
+    <message>
+        <source>Taking over a capture</source>
+        <translation>Aufnahme wird übernommen</translation>
+    </message>
+    <message>
+        <source>%1, session %2, %3: capture %4 of %5 is stored.</source>
+        <translation>%1, Sitzung %2, %3: Aufnahme %4 von %5 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Reconstructing %1</source>
+        <translation>Rekonstruktion von %1</translation>
+    </message>
+    <message>
+        <source>%1 is on the pages Surface and Stages now.</source>
+        <translation>%1 ist jetzt auf den Seiten Oberfläche und Stufen.</translation>
+    </message>
+    <message>
+        <source>Verifying the campaign</source>
+        <translation>Kampagne wird geprüft</translation>
+    </message>
+    <message numerus="yes">
+        <source>Verified: all %n file(s) are as they were stored.</source>
+        <translation>
+            <numerusform>Geprüft: %n Datei ist, wie sie gespeichert wurde.</numerusform>
+            <numerusform>Geprüft: alle %n Dateien sind, wie sie gespeichert wurden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Verified: the campaign is not as it was stored, with %n finding(s). Bring back what is missing or damaged from a copy of the folder, or remove the capture and take it again.</source>
+        <translation>
+            <numerusform>Geprüft: die Kampagne ist nicht, wie sie gespeichert wurde; %n Befund. Holen Sie Fehlendes oder Beschädigtes aus einer Kopie des Ordners zurück, oder entfernen Sie die Aufnahme und wiederholen Sie sie.</numerusform>
+            <numerusform>Geprüft: die Kampagne ist nicht, wie sie gespeichert wurde; %n Befunde. Holen Sie Fehlendes oder Beschädigtes aus einer Kopie des Ordners zurück, oder entfernen Sie die Aufnahme und wiederholen Sie sie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exporting the campaign</source>
+        <translation>Kampagne wird exportiert</translation>
+    </message>
+    <message>
+        <source>Exported %1 people with %2 captures to %3.</source>
+        <translation>Exportiert nach %3: Personen: %1, Aufnahmen: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignPage</name>
+    <message>
+        <source>%1 of %2 people</source>
+        <translation>%1 von %2 Personen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 are there, %2 of them with all captures; %3 of %4 captures.</source>
+        <translation>Bisher %1, davon %2 mit allen Aufnahmen; %3 von %4 Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Nothing is missing of the people who came.</source>
+        <translation>Von den Personen, die da waren, fehlt nichts.</translation>
+    </message>
+    <message>
+        <source>A campaign collects captures of many people: who came, which hands are there, and what is missing. Open the folder of one, or begin a new one; one of virtual people needs no device.</source>
+        <translation>Eine Kampagne sammelt Aufnahmen vieler Personen: wer da war, welche Hände vorliegen und was fehlt. Öffnen Sie den Ordner einer Kampagne, oder beginnen Sie eine neue; eine mit virtuellen Personen braucht kein Gerät.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a campaign…</source>
+        <translation>Kampagne &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>Opens the folder of a campaign</source>
+        <translation>Öffnet den Ordner einer Kampagne</translation>
+    </message>
+    <message>
+        <source>&amp;New campaign…</source>
+        <translation>&amp;Neue Kampagne…</translation>
+    </message>
+    <message>
+        <source>Begins a campaign in a new folder</source>
+        <translation>Beginnt eine Kampagne in einem neuen Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen…</translation>
+    </message>
+    <message>
+        <source>Opens the folder of another campaign</source>
+        <translation>Öffnet den Ordner einer anderen Kampagne</translation>
+    </message>
+    <message>
+        <source>&amp;New…</source>
+        <translation>&amp;Neu…</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>P&amp;rüfen</translation>
+    </message>
+    <message>
+        <source>Reads every byte: is all as it was stored?</source>
+        <translation>Liest jedes Byte: ist alles so, wie es gespeichert wurde?</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Writes the captures for others, under new random ids and without personal data</source>
+        <translation>Schreibt die Aufnahmen für andere, unter neuen zufälligen Kennungen und ohne persönliche Daten</translation>
+    </message>
+    <message>
+        <source>Open the folder of a campaign</source>
+        <translation>Ordner einer Kampagne öffnen</translation>
+    </message>
+    <message>
+        <source>Something of this campaign cannot be read, and does not count. Verify says more.</source>
+        <translation>Etwas an dieser Kampagne ist nicht lesbar und zählt nicht. „Prüfen“ sagt mehr.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignPeople</name>
+    <message>
+        <source>Only &amp;what is missing</source>
+        <translation>Nur &amp;Fehlendes</translation>
+    </message>
+    <message>
+        <source>&amp;Add a person…</source>
+        <translation>&amp;Person hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Find an id</source>
+        <translation>Kennung suchen</translation>
+    </message>
+    <message>
+        <source>Hides the people of whom all is there</source>
+        <translation>Blendet die Personen aus, von denen alles da ist</translation>
+    </message>
+    <message>
+        <source>With the day of the consent</source>
+        <translation>Mit dem Tag der Einwilligung</translation>
+    </message>
+    <message>
+        <source>Next &amp;gap</source>
+        <translation>Nächste &amp;Lücke</translation>
+    </message>
+    <message>
+        <source>Goes to the next hand of which something is missing</source>
+        <translation>Geht zur nächsten Hand, von der etwas fehlt</translation>
+    </message>
+    <message>
+        <source>People and their hands</source>
+        <translation>Personen und ihre Hände</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::CampaignTable</name>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>rechte Hand</translation>
+    </message>
+    <message>
+        <source>man</source>
+        <translation>Mann</translation>
+    </message>
+    <message>
+        <source>woman</source>
+        <translation>Frau</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>anderes</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>%1 is a virtual person.</source>
+        <translation>%1 ist eine virtuelle Person.</translation>
+    </message>
+    <message>
+        <source>%1 consented on %2.</source>
+        <translation>%1 hat am %2 eingewilligt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, session %2, %3: %4 captures are there, %5 are missing.</source>
+        <translation>%1, Sitzung %2, %3: vorhandene Aufnahmen: %4, fehlende: %5.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Session %1,
+%2</source>
+        <translation>Sitzung %1,
+%2</translation>
+    </message>
+</context>
+<context>
     <name>dorsum::DeviceModel</name>
     <message>
         <source>LEDs</source>
@@ -619,6 +1055,80 @@
     </message>
 </context>
 <context>
+    <name>dorsum::ExportDialog</name>
+    <message>
+        <source>Export the campaign</source>
+        <translation>Kampagne exportieren</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>Tell sex and age group too</source>
+        <translation>Auch Geschlecht und Altersgruppe angeben</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Name:</translation>
+    </message>
+    <message>
+        <source>The name of the new folder</source>
+        <translation>Der Name des neuen Ordners</translation>
+    </message>
+    <message>
+        <source>&amp;In the folder:</source>
+        <translation>&amp;Im Ordner:</translation>
+    </message>
+    <message>
+        <source>The export becomes a folder of its own in it</source>
+        <translation>Der Export wird ein eigener Ordner darin</translation>
+    </message>
+    <message>
+        <source>&amp;Groups:</source>
+        <translation>&amp;Gruppen:</translation>
+    </message>
+    <message>
+        <source>Only where groups are large enough. Without it, nobody is told anything but the pictures under new random ids.</source>
+        <translation>Nur wo Gruppen groß genug sind. Ohne dies wird nichts weitergegeben als die Bilder unter neuen zufälligen Kennungen.</translation>
+    </message>
+    <message>
+        <source>&amp;Least:</source>
+        <translation>&amp;Mindestens:</translation>
+    </message>
+    <message>
+        <source>People that each group must have to be told</source>
+        <translation>Personen, die jede Gruppe haben muss, um angegeben zu werden</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::FormDialog</name>
+    <message>
+        <source>Give it a name.</source>
+        <translation>Geben Sie einen Namen an.</translation>
+    </message>
+    <message>
+        <source>The name becomes a folder: it holds no slash and does not begin with a point.</source>
+        <translation>Der Name wird ein Ordner: er enthält keinen Schrägstrich und beginnt nicht mit einem Punkt.</translation>
+    </message>
+    <message>
+        <source>Choose a folder that is there, to put it in.</source>
+        <translation>Wählen Sie einen vorhandenen Ordner, in den es kommt.</translation>
+    </message>
+    <message>
+        <source>%1 is there already; choose another name.</source>
+        <translation>%1 gibt es schon; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>What is still to be done</source>
+        <translation>Was noch zu tun ist</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+</context>
+<context>
     <name>dorsum::LiveView</name>
     <message>
         <source>Live picture</source>
@@ -730,6 +1240,246 @@
     <message>
         <source>Calibrations and surfaces (*.json *.ply)</source>
         <translation>Kalibrierungen und Oberflächen (*.json *.ply)</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>See each step of the computation, the document&apos;s beside ours</source>
+        <translation>Jeden Schritt der Berechnung sehen, den des Dokuments neben unserem</translation>
+    </message>
+    <message>
+        <source>Campaign</source>
+        <translation>Kampagne</translation>
+    </message>
+    <message>
+        <source>Collect captures of many people, and see what is missing</source>
+        <translation>Aufnahmen vieler Personen sammeln, und sehen, was fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::NewCampaignDialog</name>
+    <message>
+        <source>New campaign</source>
+        <translation>Neue Kampagne</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>The one that is open</source>
+        <translation>Die geöffnete</translation>
+    </message>
+    <message>
+        <source>Captured without a device</source>
+        <translation>Ohne Gerät aufgenommen</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Name:</translation>
+    </message>
+    <message>
+        <source>A name for people to read, and the name of the folder</source>
+        <translation>Ein lesbarer Name, zugleich der Name des Ordners</translation>
+    </message>
+    <message>
+        <source>&amp;In the folder:</source>
+        <translation>&amp;Im Ordner:</translation>
+    </message>
+    <message>
+        <source>The campaign becomes a folder of its own in it</source>
+        <translation>Die Kampagne wird ein eigener Ordner darin</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>&amp;People:</source>
+        <translation>&amp;Personen:</translation>
+    </message>
+    <message>
+        <source>How many people are hoped for</source>
+        <translation>Wie viele Personen erhofft sind</translation>
+    </message>
+    <message>
+        <source>&amp;Sessions:</source>
+        <translation>&amp;Sitzungen:</translation>
+    </message>
+    <message>
+        <source>Visits of each person</source>
+        <translation>Besuche jeder Person</translation>
+    </message>
+    <message>
+        <source>C&amp;aptures:</source>
+        <translation>&amp;Aufnahmen:</translation>
+    </message>
+    <message>
+        <source>Captures of each hand in each session</source>
+        <translation>Aufnahmen jeder Hand in jeder Sitzung</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Hands:</source>
+        <translation>&amp;Hände:</translation>
+    </message>
+    <message>
+        <source>Which hands are captured</source>
+        <translation>Welche Hände aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration:</source>
+        <translation>&amp;Kalibrierung:</translation>
+    </message>
+    <message>
+        <source>No calibration is open. The first capture can bring one.</source>
+        <translation>Keine Kalibrierung ist offen. Die erste Aufnahme kann eine mitbringen.</translation>
+    </message>
+    <message>
+        <source>&amp;Virtual people:</source>
+        <translation>&amp;Virtuelle Personen:</translation>
+    </message>
+    <message>
+        <source>Virtual people come to a virtual device, which is calibrated first. This takes minutes, and can be stopped and gone on with.</source>
+        <translation>Virtuelle Personen kommen zu einem virtuellen Gerät, das zuerst kalibriert wird. Das dauert Minuten und lässt sich anhalten und fortsetzen.</translation>
+    </message>
+    <message>
+        <source>S&amp;eed:</source>
+        <translation>Start&amp;wert:</translation>
+    </message>
+    <message>
+        <source>Another seed is another virtual device with other people</source>
+        <translation>Ein anderer Startwert ist ein anderes virtuelles Gerät mit anderen Personen</translation>
+    </message>
+    <message>
+        <source>Say how many virtual people are to come.</source>
+        <translation>Geben Sie an, wie viele virtuelle Personen kommen sollen.</translation>
+    </message>
+    <message>
+        <source>A seed has 1 to 200 characters.</source>
+        <translation>Ein Startwert hat 1 bis 200 Zeichen.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::OptionBox</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Takes the last change of a parameter back (Ctrl+Z)</source>
+        <translation>Nimmt die letzte Änderung eines Parameters zurück (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Makes the change again (Ctrl+Shift+Z)</source>
+        <translation>Macht die Änderung noch einmal (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>R&amp;eset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Puts all parameters back to their defaults; can be undone</source>
+        <translation>Setzt alle Parameter auf ihre Vorgaben zurück; lässt sich rückgängig machen</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::OptionPanel</name>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::PersonDialog</name>
+    <message>
+        <source>Correct a person</source>
+        <translation>Person korrigieren</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Correct</source>
+        <translation>Ko&amp;rrigieren</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>The person has signed it</source>
+        <translation>Die Person hat sie unterschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Id:</source>
+        <translation>&amp;Kennung:</translation>
+    </message>
+    <message>
+        <source>Pseudonymous, as p01; never a name. The list that says who p01 is belongs on paper, in another place.</source>
+        <translation>Pseudonym, wie p01; nie ein Name. Die Liste, wer p01 ist, gehört auf Papier, an einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>&amp;Sex:</source>
+        <translation>&amp;Geschlecht:</translation>
+    </message>
+    <message>
+        <source>As the person says</source>
+        <translation>Wie die Person es angibt</translation>
+    </message>
+    <message>
+        <source>A&amp;ge group:</source>
+        <translation>&amp;Altersgruppe:</translation>
+    </message>
+    <message>
+        <source>In years</source>
+        <translation>In Jahren</translation>
+    </message>
+    <message>
+        <source>C&amp;onsent:</source>
+        <translation>&amp;Einwilligung:</translation>
+    </message>
+    <message>
+        <source>Without the consent nothing is stored</source>
+        <translation>Ohne Einwilligung wird nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>Signed o&amp;n:</source>
+        <translation>&amp;Unterschrieben am:</translation>
+    </message>
+    <message>
+        <source>The day on which the person signed the consent. Without it nothing is stored.</source>
+        <translation>Der Tag, an dem die Person die Einwilligung unterschrieben hat. Ohne sie wird nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>Give the person an id, as p01; never a name.</source>
+        <translation>Geben Sie der Person eine Kennung, wie p01; nie einen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is in the campaign already; choose another id.</source>
+        <translation>%1 ist schon in der Kampagne; wählen Sie eine andere Kennung.</translation>
+    </message>
+    <message>
+        <source>Nothing is stored of a person who has not signed the consent.</source>
+        <translation>Von einer Person, die die Einwilligung nicht unterschrieben hat, wird nichts gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -1006,6 +1756,172 @@
     <message>
         <source>Choose Section and two places of the surface: the cut through them is drawn here.</source>
         <translation>„Schnitt“ und zwei Stellen der Oberfläche wählen: der Schnitt durch sie wird hier gezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::StagesPage</name>
+    <message>
+        <source>Mask: difference</source>
+        <translation>Maske: Differenz</translation>
+    </message>
+    <message>
+        <source>Mask: threshold</source>
+        <translation>Maske: Schwellwert</translation>
+    </message>
+    <message>
+        <source>Mask: coarse</source>
+        <translation>Maske: grob</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Mask: without shadow</source>
+        <translation>Maske: ohne Schatten</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Laser %1: orders</source>
+        <translation>Laser %1: Ordnungen</translation>
+    </message>
+    <message>
+        <source>Laser %1: points</source>
+        <translation>Laser %1: Punkte</translation>
+    </message>
+    <message>
+        <source>Laser %1: edges</source>
+        <translation>Laser %1: Kanten</translation>
+    </message>
+    <message>
+        <source>Laser %1: stripes</source>
+        <translation>Laser %1: Streifen</translation>
+    </message>
+    <message>
+        <source>Laser %1: stripe points</source>
+        <translation>Laser %1: Streifenpunkte</translation>
+    </message>
+    <message>
+        <source>This chain ended early: %1. Take the last change back, or try other values.</source>
+        <translation>Diese Kette endete vorzeitig: %1. Nehmen Sie die letzte Änderung zurück, oder versuchen Sie andere Werte.</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 faces, computed in %3 s</source>
+        <translation>Punkte: %1, Dreiecke: %2, berechnet in %3 s</translation>
+    </message>
+    <message>
+        <source>Parameters of both</source>
+        <translation>Parameter beider</translation>
+    </message>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>&amp;Vorher zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Berechnen</translation>
+    </message>
+    <message>
+        <source>Stages of the chain</source>
+        <translation>Stufen der Kette</translation>
+    </message>
+    <message>
+        <source>A dot marks what the last change of a parameter changed</source>
+        <translation>Ein Punkt markiert, was die letzte Änderung eines Parameters verändert hat</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Shows the pictures of the parameters before the last change, to compare</source>
+        <translation>Zeigt zum Vergleich die Bilder der Parameter vor der letzten Änderung</translation>
+    </message>
+    <message>
+        <source>Computes the stages with the parameters as they are now</source>
+        <translation>Berechnet die Stufen mit den jetzigen Parametern</translation>
+    </message>
+    <message>
+        <source>The document&apos;s chain</source>
+        <translation>Kette des Dokuments</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>Unsere</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom; mouse or arrows: move; 0: all of it</source>
+        <translation>Mausrad oder + und −: Zoom; Maus oder Pfeile: verschieben; 0: alles</translation>
+    </message>
+    <message>
+        <source>Figures: %1</source>
+        <translation>Zahlen: %1</translation>
+    </message>
+    <message>
+        <source>Comparing the stages</source>
+        <translation>Stufen werden verglichen</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>verändert</translation>
+    </message>
+    <message>
+        <source>Scan a hand, or open a calibration and a capture folder (File menu): its stages are shown here.</source>
+        <translation>Scannen Sie eine Hand, oder öffnen Sie eine Kalibrierung und den Ordner einer Aufnahme (Menü Datei): ihre Stufen sind hier zu sehen.</translation>
+    </message>
+    <message>
+        <source>Only a surface is open, which has no stages. Open a capture folder (File menu).</source>
+        <translation>Nur eine Oberfläche ist offen, die keine Stufen hat. Öffnen Sie den Ordner einer Aufnahme (Menü Datei).</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>The stages come when the other work is done.</source>
+        <translation>Die Stufen kommen, wenn die andere Arbeit getan ist.</translation>
+    </message>
+    <message>
+        <source>The computation was stopped. Compute begins it again.</source>
+        <translation>Die Berechnung wurde angehalten. „Berechnen“ beginnt sie neu.</translation>
+    </message>
+    <message>
+        <source>Before the last change of the parameters.</source>
+        <translation>Vor der letzten Änderung der Parameter.</translation>
+    </message>
+    <message>
+        <source>Computing with the new parameters…</source>
+        <translation>Berechnung mit den neuen Parametern…</translation>
+    </message>
+    <message>
+        <source>The parameters changed.</source>
+        <translation>Die Parameter haben sich geändert.</translation>
+    </message>
+    <message>
+        <source>The computation was stopped: these pictures are of other parameters.</source>
+        <translation>Die Berechnung wurde angehalten: diese Bilder gehören zu anderen Parametern.</translation>
+    </message>
+    <message>
+        <source>The last change of the parameters changed no picture.</source>
+        <translation>Die letzte Änderung der Parameter hat kein Bild verändert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last change of the parameters changed %n picture(s); a dot marks them in the list.</source>
+        <translation>
+            <numerusform>Die letzte Änderung der Parameter hat %n Bild verändert; ein Punkt markiert es in der Liste.</numerusform>
+            <numerusform>Die letzte Änderung der Parameter hat %n Bilder verändert; ein Punkt markiert sie in der Liste.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This chain ended before this stage.</source>
+        <translation>Diese Kette endete vor dieser Stufe.</translation>
+    </message>
+    <message>
+        <source>This chain has no such stage.</source>
+        <translation>Diese Kette hat keine solche Stufe.</translation>
     </message>
 </context>
 <context>
@@ -1743,6 +2659,118 @@
     <message>
         <source>laser %1: points</source>
         <translation>Laser %1: Punkte</translation>
+    </message>
+    <message>
+        <source>how the object is found in the image (§3.4)</source>
+        <translation>wie das Objekt im Bild gefunden wird (§3.4)</translation>
+    </message>
+    <message>
+        <source>how stripes are located (§3.4)</source>
+        <translation>wie Laserstreifen lokalisiert werden (§3.4)</translation>
+    </message>
+    <message>
+        <source>how stripes get their orders (§3.5)</source>
+        <translation>wie Laserstreifen ihre Beugungsordnung bekommen (§3.5)</translation>
+    </message>
+    <message>
+        <source>whether the surface&apos;s brightness is taken off the stripes&apos; centres (ridges)</source>
+        <translation>ob die Helligkeit der Oberfläche aus den Streifenmitten herausgerechnet wird (ridge)</translation>
+    </message>
+    <message>
+        <source>model of a light sheet (§3.6)</source>
+        <translation>Modell einer Lichtfläche (§3.6)</translation>
+    </message>
+    <message>
+        <source>surface error correction of plane sheets (3.9)</source>
+        <translation>Korrektur der Oberflächenfehler ebener Lichtflächen (3.9)</translation>
+    </message>
+    <message>
+        <source>how the lasers are merged</source>
+        <translation>wie die Laser zusammengeführt werden</translation>
+    </message>
+    <message>
+        <source>a stripe keeps its order where any other costs this much more (joint)</source>
+        <translation>ein Streifen behält seine Ordnung, wo jede andere um so viel mehr kostet (joint)</translation>
+    </message>
+    <message>
+        <source>the same for a whole surface</source>
+        <translation>dasselbe für eine ganze Oberfläche</translation>
+    </message>
+    <message>
+        <source>how far the surface goes on beyond the last points, mm (robust)</source>
+        <translation>wie weit die Oberfläche über die letzten Punkte hinausgeht, mm (robust)</translation>
+    </message>
+    <message>
+        <source>widest gap between points that closes, mm (robust)</source>
+        <translation>breiteste Lücke zwischen Punkten, die sich schließt, mm (robust)</translation>
+    </message>
+    <message>
+        <source>a point further from the surface than this, mm, and than … (robust)</source>
+        <translation>ein Punkt, der weiter von der Oberfläche liegt als dies, mm, und als … (robust)</translation>
+    </message>
+    <message>
+        <source>… that many of its sigma is left out (robust)</source>
+        <translation>… so viele seiner Sigma, wird weggelassen (robust)</translation>
+    </message>
+    <message>
+        <source>side of the mask&apos;s opening, px</source>
+        <translation>Seite des Öffnens der Maske (Morphologie), px</translation>
+    </message>
+    <message>
+        <source>least contrast of the object, 255ths of the background</source>
+        <translation>kleinster Kontrast des Objekts, 255stel des Hintergrunds</translation>
+    </message>
+    <message>
+        <source>window of the stripes&apos; adaptive threshold, px</source>
+        <translation>Fenster des adaptiven Schwellwerts der Streifen, px</translation>
+    </message>
+    <message>
+        <source>edge response above its local mean, grey values</source>
+        <translation>Kantenantwort über ihrem lokalen Mittel, Grauwerte</translation>
+    </message>
+    <message>
+        <source>side of the stripe mask&apos;s median, px</source>
+        <translation>Seite des Medians der Streifenmaske, px</translation>
+    </message>
+    <message>
+        <source>smallest stripe region, px</source>
+        <translation>kleinstes Streifengebiet, px</translation>
+    </message>
+    <message>
+        <source>shortest stripe, px</source>
+        <translation>kürzester Streifen, px</translation>
+    </message>
+    <message>
+        <source>rows on either side smoothed together, px</source>
+        <translation>Zeilen auf jeder Seite, die gemeinsam geglättet werden, px</translation>
+    </message>
+    <message>
+        <source>jump that parts a stripe, px</source>
+        <translation>Sprung, der einen Streifen teilt, px</translation>
+    </message>
+    <message>
+        <source>V of Algorithm 2, in usual spacings</source>
+        <translation>V aus Algorithmus 2, in üblichen Abständen</translation>
+    </message>
+    <message>
+        <source>share of the central order&apos;s contrast that a level must show to be central</source>
+        <translation>Anteil am Kontrast der mittleren Ordnung, den eine Stufe zeigen muss, um die mittlere zu sein</translation>
+    </message>
+    <message>
+        <source>grid of the height field, mm</source>
+        <translation>Raster des Höhenfelds, mm</translation>
+    </message>
+    <message>
+        <source>widest gap between stripes that is bridged, mm</source>
+        <translation>breiteste Lücke zwischen Streifen, die überbrückt wird, mm</translation>
+    </message>
+    <message>
+        <source>steepest surface between stripes, degrees</source>
+        <translation>steilste Oberfläche zwischen Streifen, Grad</translation>
+    </message>
+    <message>
+        <source>no device is open; open one on the Device page, then capture</source>
+        <translation>kein Gerät ist offen; öffnen Sie eines auf der Geräteseite, und nehmen Sie dann auf</translation>
     </message>
 </context>
 <context>
