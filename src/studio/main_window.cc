@@ -28,6 +28,7 @@
 #include "studio/campaign_page.h"
 #include "studio/device_page.h"
 #include "studio/language.h"
+#include "studio/page_area.h"
 #include "studio/scan_page.h"
 #include "studio/stages_page.h"
 #include "studio/surface_page.h"
@@ -65,9 +66,9 @@ MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
   AddMenus();
   AddProgress();
   connect(list_, &QListWidget::currentRowChanged, this, [this](int now) {
-    if (auto* before = qobject_cast<Page*>(stack_->currentWidget())) before->Leave();
+    if (Page* before = page(stack_->currentIndex())) before->Leave();
     stack_->setCurrentIndex(now);
-    if (auto* after = qobject_cast<Page*>(stack_->currentWidget())) after->Enter();
+    if (Page* after = page(now)) after->Enter();
   });
   connect(workbench_, &Workbench::Failed, this, [this](const Error& error) {
     if (error.code != ErrorCode::kCancelled) banner_->Show(error);
@@ -98,11 +99,14 @@ void MainWindow::AddPage(const QString& title, const QString& help, Page* page) 
   item->setToolTip(help);
   page->setAccessibleName(title);
   page->setAccessibleDescription(help);
-  stack_->addWidget(page);
+  stack_->addWidget(new PageArea(page, stack_));
 }
 
 int MainWindow::pages() const { return stack_->count(); }
-Page* MainWindow::page(int index) const { return qobject_cast<Page*>(stack_->widget(index)); }
+Page* MainWindow::page(int index) const {
+  const auto* area = qobject_cast<PageArea*>(stack_->widget(index));
+  return area == nullptr ? nullptr : qobject_cast<Page*>(area->widget());
+}
 void MainWindow::ShowPage(int index) { list_->setCurrentRow(index); }
 
 void MainWindow::AddMenus() {
@@ -197,7 +201,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   Remember();
-  if (auto* page = qobject_cast<Page*>(stack_->currentWidget())) page->Leave();
+  if (Page* now = page(stack_->currentIndex())) now->Leave();
   event->accept();
 }
 

@@ -73,6 +73,12 @@ ScanPage::ScanPage(Workbench* workbench, QWidget* parent)
   column->addWidget(steps_);
   column->addWidget(quality_);
   column->addWidget(folder_);
+  auto* places = new QHBoxLayout;
+  places->addStretch(1);
+  places->addWidget(place_label_);
+  places->addWidget(place_);
+  places->addStretch(1);
+  column->addLayout(places);
   auto* row = new QHBoxLayout;
   AddControls(row);
   column->addLayout(row);
@@ -85,8 +91,6 @@ ScanPage::ScanPage(Workbench* workbench, QWidget* parent)
 
 void ScanPage::AddControls(QHBoxLayout* row) {
   AddPlaces();
-  row->addWidget(place_label_);
-  row->addWidget(place_);
   row->addStretch(1);
   button_->setObjectName("scan");
   Enlarge(button_, 1.6);
