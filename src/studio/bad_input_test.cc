@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QUrl>
+#include <atomic>
 #include <csignal>
 #include <functional>
 #include <limits>
@@ -15,11 +16,18 @@
 #include <sys/resource.h>
 
 #include "device/device_error.h"
+#include "jobs/campaign_add.h"
+#include "jobs/campaign_fixture_test.h"
+#include "jobs/campaign_verify.h"
 #include "studio/calibrate_page.h"
+#include "studio/campaign_page.h"
+#include "studio/campaign_people.h"
 #include "studio/device_page.h"
 #include "studio/fitted_picture.h"
+#include "studio/picture_view.h"
 #include "studio/scan_page.h"
 #include "studio/shapes_test.h"
+#include "studio/stages_page.h"
 #include "studio/surface_page.h"
 #include "studio/window_fixture_test.h"
 #include "surface/ply.h"
@@ -65,6 +73,17 @@ class BadInputTest : public WindowTest {
   void Drop(const fs::path& path) { Drop(QUrl::fromLocalFile(QString::fromStdString(path.string()))); }
   void Write(const std::string& name, const std::string& content) {
     ASSERT_TRUE(WriteFile(dir_ / name, content).ok());
+  }
+  // A campaign with one person of whom all is missing, chosen.
+  void OpenCampaign() {
+    ASSERT_TRUE(CreateCampaign({dir_ / "study", "study", {}, {}, {}}, {}).ok());
+    ASSERT_TRUE(
+        AddPerson({dir_ / "study", {"p01", "woman", "20-29", "2024-05-31", false}, false, ""}, {}).ok());
+    auto* page = GoTo<CampaignPage>();
+    page->model()->Open(dir_ / "study");
+    ASSERT_TRUE(Until([&] { return page->model()->view() != nullptr; }));
+    ASSERT_TRUE(Rests());
+    page->findChild<CampaignPeople*>()->Choose({"p01", 1, CampaignHand::kLeft});
   }
   // A good surface, which opens after everything that did not.
   void ExpectAWayOn() {
@@ -175,6 +194,7 @@ TEST_F(BadInputTest, ADeviceUnpluggedOnEachPageIsSaidAndOpensAgain) {
     const char* page;
     std::function<void()> go, work;
   };
+  ASSERT_NO_FATAL_FAILURE(OpenCampaign());
   auto* calibrate = GoTo<CalibratePage>()->model();
   calibrate->SetFolder(dir_ / "series");
   calibrate->GoOnByItself(true);
@@ -182,6 +202,8 @@ TEST_F(BadInputTest, ADeviceUnpluggedOnEachPageIsSaidAndOpensAgain) {
   for (const Case& one :
        std::vector<Case>{{"Scan", [&] { GoTo<ScanPage>(); }, nothing},
                          {"Calibrate", [&] { GoTo<CalibratePage>(); }, [&] { calibrate->Take(); }},
+                         {"Stages, then Scan", [&] { GoTo<StagesPage>(); }, [&] { GoTo<ScanPage>(); }},
+                         {"Campaign", [&] { GoTo<CampaignPage>(); }, nothing},
                          {"Device", [&] { GoTo<DevicePage>(); }, nothing},
                          {"Device, examined", [&] { GoTo<DevicePage>(); },
                           [&] { GoTo<DevicePage>()->model()->Examine(""); }}}) {
@@ -210,6 +232,118 @@ TEST_F(BadInputTest, ADeviceUnpluggedOnEachPageIsSaidAndOpensAgain) {
     auto* picture = Find<FittedPicture>(GoTo<DevicePage>(), "livePicture");
     EXPECT_TRUE(Until([&] { return !picture->image().isNull(); })) << one.page;
   }
+}
+
+TEST_F(BadInputTest, ADeviceUnpluggedInTheMidstOfACampaignsCaptureIsSaidAndTheNextOneIsStored) {
+  Calibrate();
+  ASSERT_NO_FATAL_FAILURE(OpenCampaign());
+  auto* page = GoTo<CampaignPage>();
+  QSignalSpy opened(&workbench_.device(), &DeviceSession::Opened);
+  workbench_.device().Open(DeviceFile());
+  ASSERT_TRUE(opened.wait(kPatience_ms));
+  const ChannelSet leds = LedChannels(workbench_.device().facts()->description);
+  auto gone = std::make_shared<std::atomic<bool>>(false);
+  WithHooks([leds, gone](DeviceHooks& hooks) {
+    hooks.set = [leds, gone](int, const ChannelSet& on) {
+      if ((on & ~leds).any()) *gone = true;  // as soon as the first laser is on
+      return *gone ? Status(DeviceError("the controller is gone; plug it in")) : Status();
+    };
+    hooks.frame = [gone](int, Result<Frame> frame) {
+      return *gone ? Result<Frame>(DeviceError("the camera is gone; plug it in")) : frame;
+    };
+  });
+  ASSERT_TRUE(Until([&] { return Find<QPushButton>(page, "next")->isEnabled(); }));
+  Click(page, "next");
+  ASSERT_TRUE(Until([&] { return !Said().empty(); }));
+  ASSERT_TRUE(Rests());
+  EXPECT_TRUE(*gone);
+  ExpectSaid("is gone; plug it in", "a campaign's capture");
+  EXPECT_EQ(page->model()->view()->status.captures, 0);
+  EXPECT_EQ(VerifyCampaign(page->model()->dir(), {})->findings.size(), 0U);
+  workbench_.device().Open(DeviceFile());
+  ASSERT_TRUE(opened.wait(kPatience_ms));
+  ASSERT_TRUE(Until([&] { return Find<QPushButton>(page, "next")->isEnabled(); }));
+  Click(page, "next");
+  EXPECT_TRUE(Until([&] { return page->model()->view()->status.captures == 1; })) << Said();
+  EXPECT_EQ(Said(), "");
+}
+
+TEST_F(BadInputTest, StagesAndLooksOfWhatHasNoCalibrationAreSaidAndTheNextOneIsShown) {
+  auto* page = GoTo<StagesPage>();
+  const auto words = [&] { return Find<PictureView>(page, "ours")->words().toStdString(); };
+  EXPECT_NE(words().find("Scan a hand"), std::string::npos) << words();
+  auto mesh = std::make_shared<Scan>();
+  mesh->surface.mesh = Plane(1.0);
+  workbench_.SetScan(mesh);
+  EXPECT_NE(words().find("Only a surface is open"), std::string::npos) << words();
+  ASSERT_NO_FATAL_FAILURE(OpenCampaign());
+  auto* campaign = GoTo<CampaignPage>();
+  campaign->model()->Import({"p01", 1, CampaignHand::kLeft, 1}, ScanFixture::CaptureDir(ScanFixture::kHand));
+  ASSERT_TRUE(Until([&] { return campaign->model()->view()->status.captures == 1; })) << Said();
+  ASSERT_TRUE(Rests());
+  campaign->findChild<CampaignPeople*>()->Choose({"p01", 1, CampaignHand::kLeft});
+  ASSERT_TRUE(Until([&] { return Find<QPushButton>(campaign, "look")->isEnabled(); }));
+  Click(campaign, "look");
+  ASSERT_TRUE(Until([&] { return !Said().empty(); }));
+  ExpectSaid("no calibration", "a capture of a campaign");
+  ASSERT_TRUE(Rests());
+  GoTo<StagesPage>();
+  QSignalSpy compared(page, &StagesPage::Compared);
+  Calibrate();
+  Drop(ScanFixture::CaptureDir(ScanFixture::kHand));
+  EXPECT_TRUE(Until([&] { return compared.count() > 0; })) << words();
+}
+
+TEST_F(BadInputTest, ABrokenCampaignThatIsDroppedLeavesTheOneThatIsOpen) {
+  ASSERT_NO_FATAL_FAILURE(OpenCampaign());
+  auto* page = GoTo<CampaignPage>();
+  for (const char* text : {"hello", "{}", "", "{\"format\": 99}"}) {
+    fs::create_directories(dir_ / "broken");
+    Write("broken/campaign.json", text);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString((dir_ / "broken").string()))});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(page, &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(page, &drop);
+    ASSERT_TRUE(Rests());
+    ExpectSaid("campaign.json", text);
+    EXPECT_EQ(page->model()->dir(), dir_ / "study");
+    EXPECT_EQ(page->model()->view()->people.size(), 1U);
+  }
+}
+
+TEST_F(BadInputTest, AFullDiskLeavesACampaignWhole) {
+  ASSERT_NO_FATAL_FAILURE(OpenCampaign());
+  auto* page = GoTo<CampaignPage>();
+  WriteNoiseCapture(dir_ / "source", 1);
+  const auto import = [&] {
+    page->model()->Import({"p01", 1, CampaignHand::kLeft, 1}, dir_ / "source");
+    ASSERT_TRUE(Rests());
+  };
+  {
+    const FullDisk full;
+    import();
+  }
+  ExpectSaid("annot write", "a campaign's capture");
+  EXPECT_EQ(page->model()->view()->status.captures, 0);
+  EXPECT_EQ(VerifyCampaign(dir_ / "study", {})->findings.size(), 0U);
+  import();
+  ASSERT_TRUE(Until([&] { return page->model()->view()->status.captures == 1; })) << Said();
+  ASSERT_TRUE(Rests());
+  ExportRequest request;
+  request.out_dir = dir_ / "others";
+  {
+    const FullDisk full;
+    page->model()->Export(request);
+    ASSERT_TRUE(Rests());
+  }
+  ExpectSaid("annot write", "an export");
+  EXPECT_FALSE(fs::exists(dir_ / "others"));
+  page->model()->Export(request);
+  ASSERT_TRUE(Rests());
+  EXPECT_TRUE(fs::exists(dir_ / "others" / "SHA256SUMS"));
 }
 
 TEST_F(BadInputTest, AFullDiskAtExportIsSaidAndLeavesNoHalfAFile) {

@@ -63,6 +63,7 @@ CampaignPage::CampaignPage(Workbench* workbench, QWidget* parent)
   setObjectName("campaignPage");
   setAcceptDrops(true);
   auto* split = new QSplitter(this);
+  split->setObjectName("campaignSplit");
   split->addWidget(people_);
   split->addWidget(details_);
   split->setStretchFactor(0, 1);

@@ -3,7 +3,10 @@
 #include <QComboBox>
 #include <QFile>
 #include <QSplitter>
+#include <map>
 
+#include "jobs/campaign_create.h"
+#include "studio/campaign_page.h"
 #include "studio/shapes_test.h"
 #include "studio/surface_page.h"
 #include "studio/window_fixture_test.h"
@@ -63,6 +66,44 @@ TEST_F(LayoutTest, SizePageSplittersAndChosenColoursAreAsTheyWereLeft) {
   EXPECT_EQ(Find<QComboBox>(page, "colours")->currentData().toInt(), static_cast<int>(ColourBy::kHeight));
   ShowPlane();
   EXPECT_EQ(Find<QComboBox>(page, "colours")->currentData().toInt(), static_cast<int>(ColourBy::kOrder));
+}
+
+TEST_F(LayoutTest, EverySplitterOfEveryPageIsAsItWasLeft) {
+  ASSERT_TRUE(CreateCampaign({dir_ / "study", "study", {}, {}, {}}, {}).ok());
+  ShowPlane();
+  GoTo<CampaignPage>()->model()->Open(dir_ / "study");
+  ASSERT_TRUE(Until([&] { return GoTo<CampaignPage>()->model()->view() != nullptr; }));
+  ASSERT_TRUE(Rests());
+  const auto sizes = [&](bool move) {
+    std::map<QString, QList<int>> found;
+    for (int i = 0; i < window_->pages(); ++i) {
+      window_->ShowPage(i);
+      QTest::qWait(50);
+      for (auto* split : window_->page(i)->findChildren<QSplitter*>()) {
+        EXPECT_FALSE(split->objectName().isEmpty()) << "a splitter of page " << i << " has no name";
+        QList<int> now = split->sizes();
+        if (move) {
+          const int by = now.front() / 4;
+          now.front() -= by;
+          now.back() += by;
+          split->setSizes(now);
+        }
+        found[split->objectName()] = split->sizes();
+      }
+    }
+    return found;
+  };
+  const auto usual = sizes(false), left = sizes(true);
+  EXPECT_GE(left.size(), 5U);
+  EXPECT_NE(usual, left);
+  OpenAgain();
+  window_->resize(1280, 800);
+  GoTo<CampaignPage>();
+  ASSERT_TRUE(Until([&] { return GoTo<CampaignPage>()->model()->view() != nullptr; }));
+  for (const auto& [name, now] : sizes(false)) {
+    ASSERT_EQ(now.size(), left.at(name).size()) << name.toStdString();
+    for (int i = 0; i < now.size(); ++i) EXPECT_NEAR(now[i], left.at(name)[i], 4) << name.toStdString();
+  }
 }
 
 TEST_F(LayoutTest, BrokenSettingsAreAsNone) {

@@ -41,6 +41,7 @@ StagesPage::StagesPage(Workbench* workbench, QWidget* parent)
   timer_->setSingleShot(true);
   timer_->setInterval(kSettle_ms);
   auto* splitter = new QSplitter(this);
+  splitter->setObjectName("stagesSplit");
   splitter->addWidget(list_);
   splitter->addWidget(MakeViews());
   splitter->addWidget(box_);

@@ -50,6 +50,9 @@ TEST_F(StagesPageTest, ItRunsOnlyWhereItIsSeenAndAnewWhenAParameterChanges) {
   ASSERT_TRUE(compared.wait(kLong_ms));
   auto* list = page_.findChild<QListWidget*>("stages");
   ASSERT_EQ(list->count(), static_cast<int>(page_.comparison()->keys.size()));
+  for (int i = 0; i < list->count(); ++i)
+    EXPECT_FALSE(list->item(i)->text().contains('/'))
+        << list->item(i)->text().toStdString() << " has no title";
   for (int i = 0; i < list->count(); ++i) {
     if (list->item(i)->text().contains("Laser 1: orders")) list->setCurrentRow(i);
   }

@@ -3,17 +3,24 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTreeWidget>
 #include <cstdio>
 
 #include "studio/calibrate_page.h"
+#include "studio/campaign_page.h"
+#include "studio/campaign_people.h"
 #include "studio/device_page.h"
 #include "studio/loop_probe_test.h"
+#include "studio/option_panel.h"
 #include "studio/scan_page.h"
+#include "studio/stages_page.h"
 #include "studio/surface_page.h"
 #include "studio/surface_view.h"
 #include "studio/turning_surface.h"
@@ -60,6 +67,8 @@ class WholeSessionTest : public WindowTest {
   void ScanAHand();
   void MeasureIt();
   void Export();
+  void LookAtTheStages();
+  void CaptureForACampaign();
 
   double idle_ms_ = 0.0, painting_ms_ = 0.0;
 };
@@ -174,12 +183,67 @@ void WholeSessionTest::Export() {
   EXPECT_EQ(mesh->faces.size(), workbench_.scan()->surface.mesh.faces.size());
 }
 
+void WholeSessionTest::LookAtTheStages() {
+  auto* page = GoTo<StagesPage>();
+  QSignalSpy compared(page, &StagesPage::Compared);
+  LoopProbe probe;
+  ASSERT_TRUE(Until([&] { return compared.count() > 0 || error_; }));
+  ASSERT_FALSE(error_) << error_->message;
+  auto* offset = qobject_cast<QDoubleSpinBox*>(page->options()->Editor("stripe-offset"));
+  ASSERT_NE(offset, nullptr);
+  offset->setValue(offset->value() + 6.0);
+  ASSERT_TRUE(Until([&] { return compared.count() > 1 || error_; }));
+  ASSERT_FALSE(error_) << error_->message;
+  auto* list = Find<QListWidget>(page, "stages");
+  for (int i = 0; i < list->count(); ++i) {
+    list->setCurrentRow(i);
+    QTest::qWait(20);
+  }
+  ExpectFluid(&probe, "the stages are looked at");
+  EXPECT_FALSE(page->comparison()->changed.empty());
+  EXPECT_EQ(page->comparison()->ours.points, workbench_.scan()->surface.points.size());
+  Screenshot("stages");
+}
+
+void WholeSessionTest::CaptureForACampaign() {
+  auto* page = GoTo<CampaignPage>();
+  CampaignModel* model = page->model();
+  CreateCampaignRequest request{dir_ / "study", "study", {}, {}, {}};
+  request.plan.people = 1;
+  request.plan.captures = 1;
+  LoopProbe probe;
+  model->Create(request);
+  ASSERT_TRUE(Until([&] { return model->view() != nullptr; }));
+  ASSERT_TRUE(Rests());
+  model->AddPerson({"p01", "woman", "20-29", "2024-05-31", false}, false);
+  ASSERT_TRUE(Until([&] { return !model->view()->people.empty(); }));
+  ASSERT_TRUE(Rests());
+  for (int captures = 1; captures <= 2; ++captures) {  // one hand, then the other by itself
+    if (captures == 1) page->findChild<CampaignPeople*>()->Choose({"p01", 1, CampaignHand::kLeft});
+    ASSERT_TRUE(Until([&] { return Find<QPushButton>(page, "next")->isEnabled(); }));
+    Click(page, "next");
+    ASSERT_TRUE(Until([&] { return model->view()->status.captures == captures || error_; }));
+    ASSERT_FALSE(error_) << error_->message;
+    ASSERT_TRUE(Rests());
+  }
+  Screenshot("campaign", &probe);
+  Click(page, "verify");
+  auto* said = Find<QLabel>(page, "said");
+  ASSERT_TRUE(Until([&] { return said->text().contains("as they were stored"); })) << Said();
+  ASSERT_TRUE(Until([&] { return Find<QPushButton>(page, "look")->isEnabled(); }));
+  Click(page, "look");
+  ASSERT_TRUE(Until([&] { return workbench_.scan()->name.starts_with("p01") || error_; }));
+  ASSERT_FALSE(error_) << error_->message;
+  ExpectFluid(&probe, "a campaign is captured and verified");
+}
+
 void WholeSessionTest::All() {
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   QTest::qWait(200);
   using Self = WholeSessionTest;
-  for (const auto step : {&Self::Idle, &Self::OpenTheDevice, &Self::CalibrateIt, &Self::ScanAHand,
-                          &Self::MeasureIt, &Self::Export}) {
+  for (const auto step :
+       {&Self::Idle, &Self::OpenTheDevice, &Self::CalibrateIt, &Self::ScanAHand, &Self::MeasureIt,
+        &Self::Export, &Self::LookAtTheStages, &Self::CaptureForACampaign}) {
     ASSERT_NO_FATAL_FAILURE((this->*step)());
   }
 }
@@ -192,6 +256,44 @@ TEST_F(WholeSessionTest, CalibratesScansKeepsMeasuresExportsAndClosesWithoutAWor
   window_->close();
   window_.reset();
   EXPECT_EQ(console_.said().join('\n').toStdString(), "");
+}
+
+// As the README leads a new user: the virtual device, its calibration, a hand, its surface. What it takes is
+// told; two minutes are wished for at full size (DORSUM_SESSION_DEVICE=virtual).
+TEST_F(WholeSessionTest, ANewUserComesToTheFirstSurfaceOnTheScanPageAlone) {
+  QElapsedTimer clock;
+  clock.start();
+  const auto tell = [&](const char* what) {
+    std::printf("[ figure ] %5.1f s: %s\n", 1e-3 * static_cast<double>(clock.elapsed()), what);
+    std::fflush(stdout);
+  };
+  auto* page = GoTo<ScanPage>();
+  page->model()->SetCache(dir_ / "cache");
+  page->model()->SetFolder(dir_ / "kept");
+  const auto reaches = [&](ScanState state) {
+    return Until([&, state] { return page->model()->state() == state || error_; });
+  };
+  workbench_.device().Open(Which());
+  ASSERT_TRUE(reaches(ScanState::kNoCalibration));
+  tell("the device is open");
+  EXPECT_EQ(Find<QPushButton>(page, "scan")->text(), "&Calibrate this virtual device");
+  Click(page, "scan");
+  ASSERT_TRUE(reaches(ScanState::kPreview));
+  ASSERT_FALSE(error_) << error_->message;
+  tell("it is calibrated");
+  auto* place = Find<QComboBox>(page, "place");
+  place->setCurrentIndex(1);
+  emit place->activated(1);
+  ASSERT_TRUE(reaches(ScanState::kReady));
+  tell("the hand lies well");
+  QSignalSpy drawn(Find<TurningSurface>(page, "surface"), &TurningSurface::Drawn);
+  Click(page, "scan");
+  ASSERT_TRUE(reaches(ScanState::kShown));
+  ASSERT_FALSE(error_) << error_->message;
+  ASSERT_TRUE(Until([&] { return drawn.count() > 0; }));
+  tell("its surface is on the screen");
+  std::printf("[ figure ] %.2f s from the last picture to the surface, which took %.2f s to compute\n",
+              page->model()->wait_s(), page->model()->taken()->seconds);
 }
 
 }  // namespace

@@ -1931,6 +1931,10 @@
         <source>This chain has no such stage.</source>
         <translation>Tento řetězec takový krok nemá.</translation>
     </message>
+    <message>
+        <source>Where stripes are looked for</source>
+        <translation>Kde se hledají pruhy</translation>
+    </message>
 </context>
 <context>
     <name>dorsum::SurfacePage</name>

@@ -1923,6 +1923,10 @@
         <source>This chain has no such stage.</source>
         <translation>Diese Kette hat keine solche Stufe.</translation>
     </message>
+    <message>
+        <source>Where stripes are looked for</source>
+        <translation>Wo Streifen gesucht werden</translation>
+    </message>
 </context>
 <context>
     <name>dorsum::SurfacePage</name>
