@@ -2,9 +2,28 @@
 #include "studio/coverage_view.h"
 
 #include <QPainter>
+#include <QPixmap>
+#include <cmath>
 #include <utility>
 
 namespace dorsum {
+namespace {
+
+// A series has thousands of corners: one dot is painted, and copied to all.
+QPixmap Dot(double radius, const QColor& colour, double ratio) {
+  const int side = 2 * static_cast<int>(std::ceil(radius)) + 1;
+  QPixmap dot((QSizeF(side, side) * ratio).toSize());
+  dot.setDevicePixelRatio(ratio);
+  dot.fill(Qt::transparent);
+  QPainter painter(&dot);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawEllipse(QPointF(0.5 * side, 0.5 * side), radius, radius);
+  return dot;
+}
+
+}  // namespace
 
 void CoverageView::SetBoards(std::optional<BoardCoverage> coverage,
                              std::vector<std::vector<cv::Point2f>> boards) {
@@ -20,7 +39,6 @@ void CoverageView::ShowGrid(bool shown) {
 
 void CoverageView::PaintOver(QPainter* painter, const QRectF& place) {
   if (!grid_ || !coverage_ || image().isNull()) return;
-  painter->setRenderHint(QPainter::Antialiasing);
   QColor tint = palette().color(QPalette::Highlight), line = tint;
   tint.setAlphaF(0.25F);
   line.setAlphaF(0.6F);
@@ -36,14 +54,13 @@ void CoverageView::PaintOver(QPainter* painter, const QRectF& place) {
   }
   const double scale = place.width() / image().width();
   const double dot = fontMetrics().height() / 12.0;
-  painter->setPen(Qt::NoPen);
+  const QPixmap small = Dot(dot, line, devicePixelRatioF()),
+                large = Dot(2.0 * dot, palette().color(QPalette::Highlight), devicePixelRatioF());
   for (std::size_t i = 0; i < boards_.size(); ++i) {
-    const bool last = i + 1 == boards_.size();
-    painter->setBrush(last ? palette().color(QPalette::Highlight) : line);
-    for (const cv::Point2f& p : boards_[i]) {
-      const double radius = last ? 2.0 * dot : dot;
-      painter->drawEllipse(place.topLeft() + QPointF(p.x * scale, p.y * scale), radius, radius);
-    }
+    const QPixmap& copied = i + 1 == boards_.size() ? large : small;
+    const double half = 0.5 * copied.deviceIndependentSize().width();
+    const QPointF corner = place.topLeft() - QPointF(half, half);
+    for (const cv::Point2f& p : boards_[i]) painter->drawPixmap(corner + QPointF(p.x, p.y) * scale, copied);
   }
 }
 

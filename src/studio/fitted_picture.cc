@@ -2,6 +2,7 @@
 #include "studio/fitted_picture.h"
 
 #include <QPainter>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -12,15 +13,19 @@ namespace dorsum {
 FittedPicture::FittedPicture(const QString& name, QWidget* parent) : QWidget(parent) {
   setAccessibleName(name);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  connect(&picture_, &ScaledPicture::Ready, this, [this] { update(); });
 }
 
 QImage FittedPicture::ImageOf(const cv::Mat& picture) {
   if (picture.empty()) return {};
   const bool grey = picture.type() == CV_8UC1;
   if (!grey && picture.type() != CV_8UC3) throw std::logic_error("a picture of 8-bit BGR or grey is wanted");
-  return QImage(picture.data, picture.cols, picture.rows, static_cast<qsizetype>(picture.step[0]),
-                grey ? QImage::Format_Grayscale8 : QImage::Format_BGR888)
-      .copy();
+  auto kept = std::make_unique<cv::Mat>(picture);
+  const uchar* pixels = picture.data;  // not to be written: an image that is painted on takes its own
+  return QImage(
+      pixels, picture.cols, picture.rows, static_cast<qsizetype>(picture.step[0]),
+      grey ? QImage::Format_Grayscale8 : QImage::Format_BGR888,
+      [](void* mat) { delete static_cast<cv::Mat*>(mat); }, kept.release());
 }
 
 QImage FittedPicture::Scaled(const QImage& image, const QSize& size) {
@@ -36,13 +41,12 @@ QImage FittedPicture::Scaled(const QImage& image, const QSize& size) {
 }
 
 void FittedPicture::Show(QImage image) {
-  image_ = std::move(image);
-  drawn_ = {};
+  picture_.Set(std::move(image));
   update();
 }
 
 void FittedPicture::Clear(const QString& words) {
-  image_ = drawn_ = {};
+  picture_.Clear();
   words_ = words;
   update();
 }
@@ -59,15 +63,15 @@ QSize FittedPicture::minimumSizeHint() const {
 
 void FittedPicture::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  if (image_.isNull()) {
+  if (image().isNull()) {
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, words_);
     return;
   }
-  const QSizeF size = QSizeF(image_.size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
+  const QSizeF size = QSizeF(image().size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
   const QRectF place(QPointF((width() - size.width()) / 2.0, (height() - size.height()) / 2.0), size);
-  const QSize pixels = (size * devicePixelRatioF()).toSize();
-  if (drawn_.size() != pixels) drawn_ = Scaled(image_, pixels);
-  painter.drawImage(place, drawn_);
+  const QImage& drawn = picture_.In((size * devicePixelRatioF()).toSize());
+  if (drawn.isNull()) return;
+  painter.drawImage(place, drawn);
   PaintOver(&painter, place);
 }
 

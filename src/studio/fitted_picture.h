@@ -7,6 +7,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "studio/scaled_picture.h"
+
 class QPainter;
 
 namespace dorsum {
@@ -18,14 +20,14 @@ class FittedPicture : public QWidget {
  public:
   explicit FittedPicture(const QString& name, QWidget* parent = nullptr);
 
-  // Copies the pixels of an 8-bit picture, BGR or grey.
+  // An 8-bit picture, BGR or grey, whose pixels are shared: nobody may change them any more.
   static QImage ImageOf(const cv::Mat& picture);
   // The picture in exactly this size, ready to be painted: several times as fast as a painter scales it.
   static QImage Scaled(const QImage& image, const QSize& size);
 
   void Show(QImage image);
   void Clear(const QString& words);
-  const QImage& image() const { return image_; }
+  const QImage& image() const { return picture_.image(); }
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -36,8 +38,7 @@ class FittedPicture : public QWidget {
   virtual void PaintOver(QPainter* /*painter*/, const QRectF& /*place*/) {}
 
  private:
-  QImage image_;
-  QImage drawn_;  // as it was painted last; null when it has changed since
+  ScaledPicture picture_;
   QString words_;
 };
 

@@ -13,9 +13,15 @@ LiveView::LiveView(QWidget* parent) : QWidget(parent) {
   setObjectName("live");
   setAccessibleName(tr("Live picture"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  connect(&picture_, &ScaledPicture::Ready, this, [this] { update(); });
 }
 
 void LiveView::Show(const HandView& view) {
+  if (view.picture.empty()) {
+    picture_.Clear();
+  } else if (view.picture.data != view_.picture.data) {
+    picture_.Set(FittedPicture::ImageOf(view.picture));
+  }
   view_ = view;
   update();
 }
@@ -25,13 +31,13 @@ void LiveView::paintEvent(QPaintEvent* /*event*/) {
   painter.fillRect(rect(), palette().color(QPalette::Dark));
   const cv::Mat& bgr = view_.picture;
   if (bgr.empty()) return;
-  const QImage image(bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step), QImage::Format_BGR888);
   const double scale =
       std::min(static_cast<double>(width()) / bgr.cols, static_cast<double>(height()) / bgr.rows);
   const QSizeF size(scale * bgr.cols, scale * bgr.rows);
   const QPointF corner((width() - size.width()) / 2.0, (height() - size.height()) / 2.0);
-  painter.drawImage(QRectF(corner, size),
-                    FittedPicture::Scaled(image, (size * devicePixelRatioF()).toSize()));
+  const QImage& drawn = picture_.In((size * devicePixelRatioF()).toSize());
+  if (drawn.isNull()) return;
+  painter.drawImage(QRectF(corner, size), drawn);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(corner);
   painter.scale(scale, scale);

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "studio/hand_advice.h"
+#include "studio/scaled_picture.h"
 
 namespace dorsum {
 
@@ -23,6 +24,7 @@ class LiveView : public QWidget {
 
  private:
   HandView view_;
+  ScaledPicture picture_;
 };
 
 }  // namespace dorsum
