@@ -27,7 +27,7 @@ QString StageTitle(const std::string& key) {
   if (key == "mask/coarse") return StagesPage::tr("Mask: coarse");
   if (key == "mask/mask") return StagesPage::tr("Mask");
   if (key == "mask/without_shadow") return StagesPage::tr("Mask: without shadow");
-  if (key == "stripes/busy") return StagesPage::tr("Where stripes are looked for");
+  if (key == "stripes/busy") return StagesPage::tr("Busy part");
   if (key == "heights") return StagesPage::tr("Heights");
   if (text.startsWith("orders/")) return StagesPage::tr("Laser %1: orders").arg(laser);
   if (text.startsWith("points/")) return StagesPage::tr("Laser %1: points").arg(laser);

@@ -207,7 +207,7 @@ TEST(StagesPagePicture, TheWindowAtItsUsualSize) {
     if (list->item(i)->text().contains("Laser 1: orders")) list->setCurrentRow(i);
   }
   QTest::qWait(100);
-  EXPECT_TRUE(window.grab().save(folder + "/studio-stages.png"));
+  EXPECT_TRUE(window.grab().save(folder + "/studio-stages-orders.png"));
 }
 
 }  // namespace

@@ -34,12 +34,22 @@ namespace fs = std::filesystem;
 
 class WholeSessionTest : public WindowTest {
  protected:
+  // Of the calibrate page, with the folders that a person has.
+  void CalibrateScreenshot(CalibratePage* page, const char* name, LoopProbe* probe = nullptr) {
+    std::vector<QString> before;
+    for (const char* edit : {"folder", "file"}) before.push_back(Find<QLineEdit>(page, edit)->text());
+    Find<QLineEdit>(page, "folder")->setText("/home/user/Documents/Dorsum/four lasers/calibration");
+    Find<QLineEdit>(page, "file")->setText("/home/user/Documents/Dorsum/four lasers/calibration.json");
+    Screenshot(name, probe);
+    Find<QLineEdit>(page, "folder")->setText(before[0]);
+    Find<QLineEdit>(page, "file")->setText(before[1]);
+  }
   // For eyes and for the documents: with DORSUM_SCREENSHOTS=FOLDER the window is written there.
   void Screenshot(const char* name, LoopProbe* probe = nullptr) {
     const QString folder = qEnvironmentVariable("DORSUM_SCREENSHOTS");
     if (folder.isEmpty()) return;
     QTest::qWait(300);
-    EXPECT_TRUE(window_->grab().save(folder + "/session-" + name + ".png"));
+    EXPECT_TRUE(window_->grab().save(folder + "/" + name + ".png"));
     if (probe != nullptr) probe->Restart();
   }
   // DORSUM_SESSION_DEVICE=virtual is the device at its full size, which takes minutes.
@@ -101,7 +111,7 @@ void WholeSessionTest::OpenTheDevice() {
   Click(page, "examine");
   ASSERT_TRUE(Until([&] { return Find<QTreeWidget>(page, "findings")->topLevelItemCount() > 0; }));
   ExpectFluid(&probe, "the device is opened and examined");
-  Screenshot("device");
+  Screenshot("studio-device");
 }
 
 void WholeSessionTest::CalibrateIt() {
@@ -117,11 +127,11 @@ void WholeSessionTest::CalibrateIt() {
   LoopProbe probe;
   Click(page, "take");
   ASSERT_TRUE(Until([&] { return page->model()->boards().size() >= 6 || error_; }));
-  Screenshot("calibrate-series", &probe);
+  CalibrateScreenshot(page, "studio-calibrate", &probe);
   ASSERT_TRUE(Until([&] { return workbench_.calibration() || error_; }));
   ExpectFluid(&probe, "it is calibrated");
   ASSERT_FALSE(error_) << error_->message;
-  Screenshot("calibrate-result");
+  CalibrateScreenshot(page, "studio-calibrate-result");
 }
 
 void WholeSessionTest::ScanAHand() {
@@ -131,7 +141,7 @@ void WholeSessionTest::ScanAHand() {
   place->setCurrentIndex(1);
   emit place->activated(1);
   ASSERT_TRUE(Until([&] { return page->model()->state() == ScanState::kReady; }));
-  Screenshot("scan-ready");
+  Screenshot("studio-scan");
   auto* surface = Find<TurningSurface>(page, "surface");
   QSignalSpy drawn(surface, &TurningSurface::Drawn);
   LoopProbe probe;
@@ -140,7 +150,7 @@ void WholeSessionTest::ScanAHand() {
   ASSERT_FALSE(error_) << error_->message;
   ASSERT_TRUE(Until([&] { return drawn.count() > 0; }));
   ExpectFluid(&probe, "a hand is scanned and its surface made");
-  Screenshot("scan-shown");
+  Screenshot("studio-scan-shown");
   Click(page, "scan");
   ASSERT_TRUE(Until([&] { return page->model()->state() == ScanState::kKept; }));
   EXPECT_TRUE(LoadCapture(workbench_.scan()->folder, {}, {0, 1, 2}).ok());
@@ -166,7 +176,7 @@ void WholeSessionTest::MeasureIt() {
   Click(page, "modeSection");
   ASSERT_TRUE(page->section());
   ExpectFluid(&probe, "the surface is measured");
-  Screenshot("surface");
+  Screenshot("studio-surface");
 }
 
 void WholeSessionTest::Export() {
@@ -202,7 +212,7 @@ void WholeSessionTest::LookAtTheStages() {
   ExpectFluid(&probe, "the stages are looked at");
   EXPECT_FALSE(page->comparison()->changed.empty());
   EXPECT_EQ(page->comparison()->ours.points, workbench_.scan()->surface.points.size());
-  Screenshot("stages");
+  Screenshot("studio-stages");
 }
 
 void WholeSessionTest::CaptureForACampaign() {
@@ -226,7 +236,7 @@ void WholeSessionTest::CaptureForACampaign() {
     ASSERT_FALSE(error_) << error_->message;
     ASSERT_TRUE(Rests());
   }
-  Screenshot("campaign", &probe);
+  Screenshot("session-campaign", &probe);
   Click(page, "verify");
   auto* said = Find<QLabel>(page, "said");
   ASSERT_TRUE(Until([&] { return said->text().contains("as they were stored"); })) << Said();

@@ -1932,8 +1932,8 @@
         <translation>Tento řetězec takový krok nemá.</translation>
     </message>
     <message>
-        <source>Where stripes are looked for</source>
-        <translation>Kde se hledají pruhy</translation>
+        <source>Busy part</source>
+        <translation>Obsazená část</translation>
     </message>
 </context>
 <context>

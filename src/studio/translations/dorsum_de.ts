@@ -1924,8 +1924,8 @@
         <translation>Diese Kette hat keine solche Stufe.</translation>
     </message>
     <message>
-        <source>Where stripes are looked for</source>
-        <translation>Wo Streifen gesucht werden</translation>
+        <source>Busy part</source>
+        <translation>Belegter Teil</translation>
     </message>
 </context>
 <context>
