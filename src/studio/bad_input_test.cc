@@ -249,7 +249,7 @@ TEST_F(BadInputTest, ADeviceUnpluggedInTheMidstOfACampaignsCaptureIsSaidAndTheNe
       return *gone ? Status(DeviceError("the controller is gone; plug it in")) : Status();
     };
     hooks.frame = [gone](int, Result<Frame> frame) {
-      return *gone ? Result<Frame>(DeviceError("the camera is gone; plug it in")) : frame;
+      return *gone ? Result<Frame>(DeviceError("the camera is gone; plug it in")) : std::move(frame);
     };
   });
   ASSERT_TRUE(Until([&] { return Find<QPushButton>(page, "next")->isEnabled(); }));

@@ -22,10 +22,13 @@ QImage FittedPicture::ImageOf(const cv::Mat& picture) {
   if (!grey && picture.type() != CV_8UC3) throw std::logic_error("a picture of 8-bit BGR or grey is wanted");
   auto kept = std::make_unique<cv::Mat>(picture);
   const uchar* pixels = picture.data;  // not to be written: an image that is painted on takes its own
-  return QImage(
-      pixels, picture.cols, picture.rows, static_cast<qsizetype>(picture.step[0]),
-      grey ? QImage::Format_Grayscale8 : QImage::Format_BGR888,
-      [](void* mat) { delete static_cast<cv::Mat*>(mat); }, kept.release());
+  return {pixels,
+          picture.cols,
+          picture.rows,
+          static_cast<qsizetype>(picture.step[0]),
+          grey ? QImage::Format_Grayscale8 : QImage::Format_BGR888,
+          [](void* mat) { delete static_cast<cv::Mat*>(mat); },
+          kept.release()};
 }
 
 QImage FittedPicture::Scaled(const QImage& image, const QSize& size) {
