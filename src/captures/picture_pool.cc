@@ -10,40 +10,40 @@ namespace {
 
 constexpr std::size_t kSmall = std::size_t{64} << 10;  // bytes; the heap is good at these
 
-// Sizes that differ little share their memory.
-std::size_t Rounded(std::size_t bytes) { return (bytes + kSmall - 1) / kSmall * kSmall; }
+std::size_t Rounded(std::size_t bytes) {
+  return bytes < kSmall ? bytes : (bytes + kSmall - 1) / kSmall * kSmall;
+}
 
 }  // namespace
 
 PicturePool::~PicturePool() {
-  for (const auto& [bytes, list] : unused_) {
-    for (void* memory : list) cv::fastFree(memory);
-  }
+  for (const auto& [bytes, memory] : unused_) cv::fastFree(memory);
 }
 
-void* PicturePool::Take(std::size_t bytes) const {
-  if (bytes < kSmall) return cv::fastMalloc(bytes);
-  const std::size_t size = Rounded(bytes);
-  {
+// At least `bytes`, which becomes how many there are: the smallest that is unused, if it is not twice too
+// large.
+void* PicturePool::Take(std::size_t* bytes) const {
+  *bytes = Rounded(*bytes);
+  if (*bytes >= kSmall) {
     const std::lock_guard lock(mutex_);
-    const auto list = unused_.find(size);
-    if (list != unused_.end() && !list->second.empty()) {
-      void* memory = list->second.back();
-      list->second.pop_back();
-      unused_bytes_ -= size;
+    const auto found = unused_.lower_bound(*bytes);
+    if (found != unused_.end() && found->first <= 2 * *bytes) {
+      *bytes = found->first;
+      void* memory = found->second;
+      unused_.erase(found);
+      unused_bytes_ -= *bytes;
       return memory;
     }
   }
-  return cv::fastMalloc(size);
+  return cv::fastMalloc(*bytes);
 }
 
 void PicturePool::Give(void* memory, std::size_t bytes) const {
-  const std::size_t size = Rounded(bytes);
   if (bytes >= kSmall) {
     const std::lock_guard lock(mutex_);
-    if (unused_bytes_ + size <= most_) {
-      unused_[size].push_back(memory);
-      unused_bytes_ += size;
+    if (unused_bytes_ + bytes <= most_) {
+      unused_.emplace(bytes, memory);
+      unused_bytes_ += bytes;
       return;
     }
   }
@@ -70,8 +70,10 @@ cv::UMatData* PicturePool::allocate(int dims, const int* sizes, int type, void* 
     total *= static_cast<std::size_t>(sizes[i]);
   }
   auto out = std::make_unique<cv::UMatData>(this);
-  out->data = out->origdata = static_cast<uchar*>(data != nullptr ? data : Take(total));
   out->size = total;
+  std::size_t capacity = total;
+  out->data = out->origdata = static_cast<uchar*>(data != nullptr ? data : Take(&capacity));
+  out->userdata = reinterpret_cast<void*>(capacity);  // a number that is nobody's address
   if (data != nullptr) out->flags |= cv::UMatData::USER_ALLOCATED;
   return out.release();
 }
@@ -84,7 +86,8 @@ bool PicturePool::allocate(cv::UMatData* data, cv::AccessFlag /*access*/,
 void PicturePool::deallocate(cv::UMatData* data) const {
   if (data == nullptr) return;
   const std::unique_ptr<cv::UMatData> own(data);
-  if ((own->flags & cv::UMatData::USER_ALLOCATED) == 0) Give(own->origdata, own->size);
+  if ((own->flags & cv::UMatData::USER_ALLOCATED) == 0)
+    Give(own->origdata, reinterpret_cast<std::size_t>(own->userdata));
 }
 
 void KeepPictureMemory() {

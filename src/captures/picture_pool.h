@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
-#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -15,7 +14,7 @@ namespace dorsum {
 class PicturePool : public cv::MatAllocator {
  public:
   // Beyond `most_bytes` of unused memory, what comes back is freed.
-  explicit PicturePool(std::size_t most_bytes = std::size_t{256} << 20) : most_(most_bytes) {}
+  explicit PicturePool(std::size_t most_bytes = std::size_t{64} << 20) : most_(most_bytes) {}
   ~PicturePool() override;
   PicturePool(const PicturePool&) = delete;
   PicturePool& operator=(const PicturePool&) = delete;
@@ -28,12 +27,12 @@ class PicturePool : public cv::MatAllocator {
   std::size_t unused_bytes() const;
 
  private:
-  void* Take(std::size_t bytes) const;
+  void* Take(std::size_t* bytes) const;
   void Give(void* memory, std::size_t bytes) const;
 
   const std::size_t most_;
   mutable std::mutex mutex_;
-  mutable std::map<std::size_t, std::vector<void*>> unused_;  // by size
+  mutable std::multimap<std::size_t, void*> unused_;  // by size
   mutable std::size_t unused_bytes_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "captures/picture_pool.h"
 
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,15 @@ TEST(PicturePoolTest, APictureGetsTheMemoryOfOneThatIsGone) {
   EXPECT_EQ(b.data, first);
   EXPECT_EQ(pool.unused_bytes(), 0U);
   EXPECT_NE(In(pool, {640, 480}, CV_8UC3).data, first) << "that one is in use";
+}
+
+TEST(PicturePoolTest, ASmallPictureDoesNotHoldALargeOnesMemory) {
+  PicturePool pool;
+  const uchar* large = In(pool, {2000, 1000}, CV_8UC1).data;
+  const cv::Mat small = In(pool, {300, 300}, CV_8UC1);
+  EXPECT_NE(small.data, large);
+  const cv::Mat nearly = In(pool, {1500, 1000}, CV_8UC1);
+  EXPECT_EQ(nearly.data, large);
 }
 
 TEST(PicturePoolTest, MatricesAreWhatTheyAlwaysAre) {
