@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
-#include <opencv2/imgproc/detail/gcgraph.hpp>
 
+#include "imaging/grid_cut.h"
 #include "imaging/seed_map.h"
 #include "imaging/sharp_step.h"
 
@@ -44,17 +44,15 @@ class BandGraph {
         pixels_.emplace_back(u, v);
       }
     }
-    graph_.create(static_cast<unsigned>(pixels_.size()), static_cast<unsigned>(8 * pixels_.size()));
-    for (std::size_t i = 0; i < pixels_.size(); ++i) graph_.addVtx();
   }
 
   cv::Mat Cut() {
     cv::Mat object = in_.known == kObjectPixel;
-    if (pixels_.empty()) return object;  // an empty graph has no flow
-    for (const cv::Point pixel : pixels_) Join(pixel);
-    graph_.maxFlow();
+    GridCut cut(pixels_.size());
+    for (const cv::Point pixel : pixels_) Join(pixel, &cut);
+    cut.Run();
     for (const cv::Point pixel : pixels_) {
-      if (graph_.inSourceSegment(node_(pixel))) object.at<std::uint8_t>(pixel) = 255;
+      if (cut.IsFirst(node_(pixel))) object.at<std::uint8_t>(pixel) = 255;
     }
     return object;
   }
@@ -66,13 +64,12 @@ class BandGraph {
     return static_cast<int>(kUnit * length * std::max(kCheapest, 1.0F / (1.0F + step * step)));
   }
 
-  void Pull(int node, int cost) { graph_.addTermWeights(node, std::max(cost, 0), std::max(-cost, 0)); }
-
-  void Join(cv::Point pixel) {
+  void Join(cv::Point pixel, GridCut* cut) const {
     const int node = node_(pixel);
     const cv::Rect image({0, 0}, node_.size());
-    Pull(node, static_cast<int>(std::lround(kUnit * in_.pull.at<float>(pixel))));
-    for (const Step& step : kSteps) {
+    cut->Pull(node, static_cast<int>(std::lround(kUnit * in_.pull.at<float>(pixel))));
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+      const Step& step = kSteps[i];
       for (const int sign : {1, -1}) {
         const cv::Point neighbour = pixel + sign * cv::Point(step.du, step.dv);
         if (!image.contains(neighbour)) continue;
@@ -80,9 +77,9 @@ class BandGraph {
         if (other >= 0 && sign < 0) continue;  // joined from its side
         const int cost = Cost(pixel, neighbour, step.length);
         if (other >= 0) {
-          graph_.addEdges(node, other, cost, cost);
+          cut->Join(node, other, 2 * static_cast<int>(i), cost);
         } else {
-          Pull(node, in_.known.at<std::uint8_t>(neighbour) == kObjectPixel ? cost : -cost);
+          cut->Pull(node, in_.known.at<std::uint8_t>(neighbour) == kObjectPixel ? cost : -cost);
         }
       }
     }
@@ -92,7 +89,6 @@ class BandGraph {
   int texture_scale_;
   cv::Mat_<int> node_;  // -1 where the pixel is known
   std::vector<cv::Point> pixels_;
-  cv::detail::GCGraph<int> graph_;
 };
 
 }  // namespace
