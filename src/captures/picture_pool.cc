@@ -17,7 +17,7 @@ std::size_t Rounded(std::size_t bytes) {
 }  // namespace
 
 PicturePool::~PicturePool() {
-  for (const auto& [bytes, memory] : unused_) cv::fastFree(memory);
+  for (const Block& block : unused_) cv::fastFree(block.memory);
 }
 
 // At least `bytes`, which becomes how many there are: the smallest that is unused, if it is not twice too
@@ -26,28 +26,33 @@ void* PicturePool::Take(std::size_t* bytes) const {
   *bytes = Rounded(*bytes);
   if (*bytes >= kSmall) {
     const std::lock_guard lock(mutex_);
-    const auto found = unused_.lower_bound(*bytes);
-    if (found != unused_.end() && found->first <= 2 * *bytes) {
-      *bytes = found->first;
-      void* memory = found->second;
-      unused_.erase(found);
-      unused_bytes_ -= *bytes;
-      return memory;
+    auto best = unused_.end();
+    for (auto block = unused_.begin(); block != unused_.end(); ++block) {
+      const bool fits = block->bytes >= *bytes && block->bytes <= 2 * *bytes;
+      if (fits && (best == unused_.end() || block->bytes < best->bytes)) best = block;
+    }
+    if (best != unused_.end()) {
+      const Block block = *best;
+      unused_.erase(best);
+      unused_bytes_ -= block.bytes;
+      *bytes = block.bytes;
+      return block.memory;
     }
   }
   return cv::fastMalloc(*bytes);
 }
 
 void PicturePool::Give(void* memory, std::size_t bytes) const {
-  if (bytes >= kSmall) {
-    const std::lock_guard lock(mutex_);
-    if (unused_bytes_ + bytes <= most_) {
-      unused_.emplace(bytes, memory);
-      unused_bytes_ += bytes;
-      return;
-    }
+  if (bytes < kSmall || bytes > most_) return cv::fastFree(memory);
+  const std::lock_guard lock(mutex_);
+  unused_.push_back({bytes, memory});
+  unused_bytes_ += bytes;
+  auto kept = unused_.begin();
+  for (; unused_bytes_ > most_; ++kept) {
+    cv::fastFree(kept->memory);
+    unused_bytes_ -= kept->bytes;
   }
-  cv::fastFree(memory);
+  unused_.erase(unused_.begin(), kept);
 }
 
 std::size_t PicturePool::unused_bytes() const {
@@ -73,7 +78,8 @@ cv::UMatData* PicturePool::allocate(int dims, const int* sizes, int type, void* 
   out->size = total;
   std::size_t capacity = total;
   out->data = out->origdata = static_cast<uchar*>(data != nullptr ? data : Take(&capacity));
-  out->userdata = reinterpret_cast<void*>(capacity);  // a number that is nobody's address
+  // A number that is nobody's address. NOLINTNEXTLINE(performance-no-int-to-ptr)
+  out->userdata = reinterpret_cast<void*>(capacity);
   if (data != nullptr) out->flags |= cv::UMatData::USER_ALLOCATED;
   return out.release();
 }

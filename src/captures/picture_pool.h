@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <mutex>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -13,7 +13,7 @@ namespace dorsum {
 // scans again and again asks the system for none. Of any thread. Small matrices go to the heap as always.
 class PicturePool : public cv::MatAllocator {
  public:
-  // Beyond `most_bytes` of unused memory, what comes back is freed.
+  // Beyond `most_bytes` of unused memory, what was not used for longest is freed.
   explicit PicturePool(std::size_t most_bytes = std::size_t{64} << 20) : most_(most_bytes) {}
   ~PicturePool() override;
   PicturePool(const PicturePool&) = delete;
@@ -27,12 +27,16 @@ class PicturePool : public cv::MatAllocator {
   std::size_t unused_bytes() const;
 
  private:
+  struct Block {
+    std::size_t bytes;
+    void* memory;
+  };
   void* Take(std::size_t* bytes) const;
   void Give(void* memory, std::size_t bytes) const;
 
   const std::size_t most_;
   mutable std::mutex mutex_;
-  mutable std::multimap<std::size_t, void*> unused_;  // by size
+  mutable std::vector<Block> unused_;  // what was given back first is first
   mutable std::size_t unused_bytes_ = 0;
 };
 

@@ -66,9 +66,20 @@ TEST(PicturePoolTest, KeepsNoMoreThanItMay) {
   EXPECT_LE(pool.unused_bytes(), std::size_t{1} << 20);
 }
 
+TEST(PicturePoolTest, WhatIsNoLongerUsedMakesRoom) {
+  PicturePool pool(std::size_t{4} << 20);
+  { const cv::Mat a = In(pool, {1000, 2000}, CV_8UC1), b = In(pool, {1000, 2000}, CV_8UC1); }
+  In(pool, {800, 800}, CV_8UC1);
+  const std::size_t unused = pool.unused_bytes();
+  EXPECT_LE(unused, std::size_t{4} << 20);
+  const cv::Mat again = In(pool, {800, 800}, CV_8UC1);
+  EXPECT_LE(pool.unused_bytes() + again.total(), unused) << "it came from elsewhere";
+}
+
 TEST(PicturePoolTest, ManyThreadsMayUseIt) {
   PicturePool pool;
   std::vector<std::jthread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&pool, t] {
       for (int i = 0; i < 200; ++i) {
