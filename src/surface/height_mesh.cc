@@ -33,8 +33,9 @@ bool IsSurface(const cv::Mat1f& z, const Corners& corners, double max_step) {
 // Vertices in square cells of the backplane, to find the nearest of one.
 class VertexCells {
  public:
+  // `vertices` must outlive it.
   VertexCells(const std::vector<Eigen::Vector3d>& vertices, double cell_mm)
-      : cell_mm_(cell_mm), low_(vertices[0].head<2>()) {
+      : vertices_(vertices), cell_mm_(cell_mm), low_(vertices[0].head<2>()) {
     Eigen::Vector2d high = low_;
     for (const Eigen::Vector3d& p : vertices) {
       low_ = low_.cwiseMin(p.head<2>());
@@ -48,7 +49,7 @@ class VertexCells {
     sorted_.resize(vertices.size());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      sorted_[next[At(vertices[i])]++] = {vertices[i], static_cast<std::uint32_t>(i)};
+      sorted_[next[At(vertices[i])]++] = static_cast<std::uint32_t>(i);
   }
 
   // kNone if the nearest is further away than that.
@@ -67,10 +68,10 @@ class VertexCells {
           if (x < 0 || x >= cols_) continue;
           const auto cell = static_cast<std::size_t>(y * cols_ + x);
           for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-            const double d = (sorted_[i].position - p).squaredNorm();
+            const double d = (vertices_[sorted_[i]] - p).squaredNorm();
             if (d > square || (d == square && nearest != kNone)) continue;
             square = d;
-            nearest = sorted_[i].number;
+            nearest = sorted_[i];
           }
         }
       }
@@ -84,15 +85,12 @@ class VertexCells {
     return static_cast<std::size_t>(Cell(p.y() - low_.y()) * cols_ + Cell(p.x() - low_.x()));
   }
 
-  struct Vertex {
-    Eigen::Vector3d position;
-    std::uint32_t number = 0;
-  };
+  const std::vector<Eigen::Vector3d>& vertices_;
   double cell_mm_;
   Eigen::Vector2d low_;
   long cols_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> begin_;  // of each cell in `sorted_`
-  std::vector<Vertex> sorted_;
+  std::vector<std::uint32_t> begin_;   // of each cell in `sorted_`
+  std::vector<std::uint32_t> sorted_;  // vertices by their cells
 };
 
 void ComputeNormals(TriangleMesh* mesh) {
@@ -144,7 +142,7 @@ void AssignNormals(const TriangleMesh& mesh, double max_distance_mm, SurfacePoin
     for (std::size_t i = begin; i < std::min(points->size(), begin + kTogether); ++i) {
       SurfacePoint& p = (*points)[i];
       const std::uint32_t nearest = cells.Nearest(p.position, max_distance_mm);
-      if (nearest != kNone) p.normal = mesh.normals[nearest];
+      if (nearest != kNone) p.normal = mesh.normals[nearest].cast<float>();
     }
   });
 }

@@ -77,10 +77,10 @@ TEST(HeightMesh, PointsGetTheNormalOfTheSurfaceNearThem) {
   points[0].position = mesh.vertices[45] + Eigen::Vector3d(0.05, 0.02, 0.1);
   points[1].position = {500.0, 0.0, 0.0};
   AssignNormals(mesh, 1.0, &points);
-  EXPECT_LT((points[0].normal - mesh.normals[45]).norm(), 1e-6);
-  EXPECT_EQ(points[1].normal, Eigen::Vector3d::UnitZ());
+  EXPECT_LT((points[0].normal.cast<double>() - mesh.normals[45]).norm(), 1e-6);
+  EXPECT_EQ(points[1].normal, Eigen::Vector3f::UnitZ());
   AssignNormals(TriangleMesh{}, 1.0, &points);
-  EXPECT_LT((points[0].normal - mesh.normals[45]).norm(), 1e-6);
+  EXPECT_LT((points[0].normal.cast<double>() - mesh.normals[45]).norm(), 1e-6);
 }
 
 }  // namespace

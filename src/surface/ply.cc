@@ -38,7 +38,7 @@ Status WritePointsPly(const std::filesystem::path& path, const SurfacePoints& po
       "sigma\nend_header\n";
   for (const SurfacePoint& p : points) {
     AppendVector(&out, p.position);
-    AppendVector(&out, p.normal);
+    AppendVector(&out, p.normal.cast<double>());
     Append(&out, p.laser);
     Append(&out, p.order);
     Append(&out, p.u);
@@ -80,7 +80,7 @@ Result<SurfacePoints> ReadPointsPly(const std::filesystem::path& path) {
     DORSUM_RETURN_IF_ERROR(reader.ReadRow(vertex, &row, &list));
     SurfacePoint p;
     p.position = {row[c[0]], row[c[1]], row[c[2]]};
-    p.normal = {row[c[3]], row[c[4]], row[c[5]]};
+    p.normal = Eigen::Vector3d(row[c[3]], row[c[4]], row[c[5]]).cast<float>();
     if (!p.position.allFinite()) return reader.Damaged("point " + std::to_string(i) + " is not a number");
     if (!(row[c[6]] >= 0.0 && row[c[6]] <= 255.0 && std::abs(row[c[7]]) <= 32767.0)) {
       return reader.Damaged("point " + std::to_string(i) + " has no such laser or order");

@@ -23,7 +23,7 @@ SurfacePoints SomePoints() {
     const auto k = static_cast<double>(i);
     SurfacePoint& p = points[i];
     p.position = {1.5 * k, -2.25, 30.125 + k};
-    p.normal = {0.6, 0.0, 0.8};
+    p.normal = {0.6F, 0.0F, 0.8F};
     p.laser = static_cast<std::uint8_t>(250 + i);
     p.order = static_cast<std::int16_t>(-300 * static_cast<int>(i));
     p.u = 100.5F;
@@ -84,7 +84,7 @@ TEST_F(PlyTest, PointsComeBack) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const SurfacePoint &p = (*points)[i], &e = expected[i];
     EXPECT_EQ(p.position, e.position);
-    EXPECT_LT((p.normal - e.normal).norm(), 1e-6);
+    EXPECT_LT((p.normal - e.normal).norm(), 1e-6F);
     EXPECT_EQ(p.laser, e.laser);
     EXPECT_EQ(p.order, e.order);
     EXPECT_EQ(p.u, e.u);

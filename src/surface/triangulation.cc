@@ -64,11 +64,22 @@ std::optional<SurfacePoint> TriangulateOne(const StripePoint& p, int order, cons
   return out;
 }
 
+std::size_t PointsWithOrder(const IndexedStripes& stripes) {
+  std::size_t count = 0;
+  for (const LaserStripes& one : stripes.lasers) {
+    for (const StripeSegment& segment : one.segments) {
+      if (segment.order) count += static_cast<std::size_t>(segment.count);
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 Triangulation Triangulate(const IndexedStripes& stripes, const DeviceOrders& orders,
                           const TriangulationOptions& options, const Context& context) {
   Triangulation out;
+  out.points.reserve(PointsWithOrder(stripes));
   for (const LaserStripes& one : stripes.lasers) {
     const LaserGeometry* laser = orders.device().FindLaser(one.laser);
     if (laser == nullptr) continue;
