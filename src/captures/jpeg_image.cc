@@ -93,7 +93,7 @@ bool EncodeInto(unsigned char** out, unsigned long* size, const cv::Mat& image, 
   info.optimize_coding = optimise ? TRUE : FALSE;
   jpeg_start_compress(&info, TRUE);
   while (info.next_scanline < info.image_height) {
-    JSAMPROW row = const_cast<unsigned char*>(image.ptr(static_cast<int>(info.next_scanline)));
+    auto* row = const_cast<unsigned char*>(image.ptr(static_cast<int>(info.next_scanline)));
     jpeg_write_scanlines(&info, &row, 1);
   }
   jpeg_finish_compress(&info);

@@ -61,6 +61,7 @@ SeriesStep PlanBox(double height_mm, int lasers) {
 std::vector<SeriesStep> PlanCalibrationSeries(const DeviceDescription& device) {
   const int lasers = static_cast<int>(device.lasers.size());
   std::vector<SeriesStep> plan;
+  plan.reserve(kChessViews);
   for (int view = 0; view < kChessViews; ++view) plan.push_back(PlanChessboard(view));
   for (const Distance distance : {Distance::kFurther, Distance::kCloser}) {
     plan.push_back(PlanPlane(distance, lasers, device.calibration_object_height_mm));

@@ -3,7 +3,11 @@
 // network camera that sees the lights which that firmware has on.
 #include <array>
 #include <csignal>
+#include <functional>
 #include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -46,9 +50,22 @@ class CaptureProgramTest : public ProgramTest {
     }
   }
 
+  // What the camera does instead of showing the scene; the server's thread calls it, after the test's end
+  // too.
+  using Camera = std::function<std::optional<MjpegServer::Part>(int frame)>;
+  void Use(Camera camera) {
+    const std::lock_guard lock(camera_mutex_);
+    camera_ = std::move(camera);
+  }
+
   MjpegServer::Part Part(int frame) {
-    if (camera_) {
-      if (const auto act = camera_(frame)) return *act;
+    Camera camera;
+    {
+      const std::lock_guard lock(camera_mutex_);
+      camera = camera_;
+    }
+    if (camera) {
+      if (const auto act = camera(frame)) return *act;
     }
     const auto seen = frames_.find(SimulatedController::LastLit(controller_->Log()));
     const auto& scene = seen == frames_.end() ? frames_[0] : seen->second;
@@ -72,7 +89,8 @@ class CaptureProgramTest : public ProgramTest {
   void ExpectDark() { EXPECT_TRUE(controller_->WaitForLit(0)) << "lights are on"; }
 
   std::map<unsigned, std::array<std::string, 4>> frames_;  // JPEGs, by what is lit
-  std::function<std::optional<MjpegServer::Part>(int frame)> camera_;
+  std::mutex camera_mutex_;
+  Camera camera_;
   std::unique_ptr<SimulatedController> controller_;
   std::unique_ptr<MjpegServer> server_;
 };
@@ -97,10 +115,10 @@ TEST_F(CaptureProgramTest, FirmwareAndNetworkCameraGiveAWholeCapture) {
 TEST_F(CaptureProgramTest, ACameraThatFreezesHangsOrGoesIsSaidAndNothingStays) {
   for (const MjpegServer::Act act : {MjpegServer::Act::kHold, MjpegServer::Act::kClose}) {
     for (const unsigned lit : {kLeds, 2U}) {
-      camera_ = [&](int) -> std::optional<MjpegServer::Part> {
+      Use([this, act, lit](int) -> std::optional<MjpegServer::Part> {
         if (SimulatedController::LastLit(controller_->Log()) != lit) return std::nullopt;
         return MjpegServer::Part(act);
-      };
+      });
       const ProgramRun run = RunProgram(Arguments(controller_->port()));
       ExpectRefused(run, 4, {"stream"});
       ExpectNothingWritten();
@@ -110,9 +128,9 @@ TEST_F(CaptureProgramTest, ACameraThatFreezesHangsOrGoesIsSaidAndNothingStays) {
 }
 
 TEST_F(CaptureProgramTest, ABlackCameraIsSaid) {
-  camera_ = [&](int frame) -> std::optional<MjpegServer::Part> {
+  Use([this](int frame) -> std::optional<MjpegServer::Part> {
     return MjpegServer::Part(frames_[0].at(static_cast<std::size_t>(frame) % 4));
-  };
+  });
   ExpectRefused(RunProgram(Arguments(controller_->port())), 4, {"LEDs"});
   ExpectNothingWritten();
   ExpectDark();
@@ -120,7 +138,7 @@ TEST_F(CaptureProgramTest, ABlackCameraIsSaid) {
 
 TEST_F(CaptureProgramTest, ACameraOfAnotherSizeIsSaid) {
   const std::string small = JpegOf(cv::Mat(200, 300, CV_8UC3, cv::Scalar::all(90)));
-  camera_ = [&](int) -> std::optional<MjpegServer::Part> { return MjpegServer::Part(small); };
+  Use([small](int) -> std::optional<MjpegServer::Part> { return MjpegServer::Part(small); });
   ExpectRefused(RunProgram(Arguments(controller_->port())), 4, {"300", "560"});
   ExpectNothingWritten();
 }
