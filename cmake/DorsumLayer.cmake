@@ -6,7 +6,6 @@
 #   [TEST_DEPENDS layer...]    further layers, earlier or later, that only its tests include
 #   [TEST_LINK target...]      other people's libraries that only its tests use
 #   [TEST_ALONE filter]        tests (GoogleTest's filter) that run one at a time: each keeps a processor busy
-#   [PCH header...]            precompiled headers of the library, such as <Eigen/Core>
 #   [APPLICATION])             part of a program: not installed as a library
 #
 # Makes the library dorsum_<name>, alias Dorsum::<name>, of all *.cc in the folder, and the test program
@@ -73,7 +72,7 @@ endfunction()
 
 function(dorsum_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg
-    "APPLICATION" "TEST_ALONE" "DEPENDS;LINK;LINK_PRIVATE;TEST_DEPENDS;TEST_LINK;PCH")
+    "APPLICATION" "TEST_ALONE" "DEPENDS;LINK;LINK_PRIVATE;TEST_DEPENDS;TEST_LINK")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "dorsum_layer(${name}): what is '${arg_UNPARSED_ARGUMENTS}'?")
   endif()
@@ -102,10 +101,6 @@ function(dorsum_layer name)
     add_library(dorsum_${name} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(dorsum_${name} PRIVATE ${arg_LINK_PRIVATE})
-    if(arg_PCH AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-      target_precompile_headers(dorsum_${name} PRIVATE ${arg_PCH})
-      target_compile_options(dorsum_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # for ccache
-    endif()
   else()
     add_library(dorsum_${name} INTERFACE)
     set(scope INTERFACE)
