@@ -19,12 +19,12 @@
 #include "device/virtual_bench.h"
 #include "jobs/scan_fixture_test.h"
 #include "studio/coverage_view.h"
+#include "studio/patience_test.h"
 
 namespace dorsum {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kLong_ms = 120000;
 
 class CalibratePageTest : public ::testing::Test {
  protected:
@@ -37,7 +37,7 @@ class CalibratePageTest : public ::testing::Test {
   void Open() {
     QSignalSpy opened(&workbench_.device(), &DeviceSession::Opened);
     workbench_.device().Open((dir_ / "device.toml").string());
-    ASSERT_TRUE(opened.wait(kLong_ms));
+    ASSERT_TRUE(opened.wait(kPatience_ms));
   }
   void SetPlaces(CalibrateModel* model) {
     model->SetFolder(dir_ / "series");
@@ -53,9 +53,9 @@ class CalibratePageTest : public ::testing::Test {
           return 0;
         },
         [&](const Result<int>&) { done = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, kLong_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, kPatience_ms));
   }
-  static bool Until(const std::function<bool()>& done) { return QTest::qWaitFor(done, kLong_ms); }
+  static bool Until(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience_ms); }
 
   TempFolder dir_;
   std::optional<Error> failed_;
@@ -116,7 +116,7 @@ TEST_F(CalibratePageTest, AVirtualDeviceCalibratesByItselfAndTheOneBeforeComesBa
   page.model()->GoOnByItself(true);
   QSignalSpy loaded(&workbench_, &Workbench::CalibrationChanged);
   page.model()->Take();
-  ASSERT_TRUE(loaded.wait(kLong_ms)) << (failed_ ? failed_->message : "");
+  ASSERT_TRUE(loaded.wait(kPatience_ms)) << (failed_ ? failed_->message : "");
   const auto outcome = page.model()->outcome();
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->has_before);
@@ -131,14 +131,14 @@ TEST_F(CalibratePageTest, AVirtualDeviceCalibratesByItselfAndTheOneBeforeComesBa
   // Again, from the folder: the same figures, and the way back.
   const std::string first = ReadFile(dir_ / "out" / "calibration.json").value();
   page.model()->Calibrate();
-  ASSERT_TRUE(loaded.wait(kLong_ms));
+  ASSERT_TRUE(loaded.wait(kPatience_ms));
   ASSERT_TRUE(page.model()->outcome()->has_before);
   for (const FigureChange& change : page.model()->outcome()->changes) EXPECT_EQ(change.before, change.after);
   EXPECT_EQ(page.findChild<QTreeWidget*>("changes")->topLevelItemCount(),
             static_cast<int>(page.model()->outcome()->changes.size()));
   ASSERT_TRUE(page.model()->CanGoBack());
   QTest::mouseClick(page.findChild<QPushButton*>("goBack"), Qt::LeftButton);
-  ASSERT_TRUE(loaded.count() == 3 || loaded.wait(kLong_ms));
+  ASSERT_TRUE(loaded.count() == 3 || loaded.wait(kPatience_ms));
   EXPECT_EQ(ReadFile(dir_ / "out" / "calibration.json").value(), first);
   EXPECT_FALSE(fs::exists(dir_ / "out" / "calibration.before.json"));
 }

@@ -11,6 +11,7 @@
 
 #include "jobs/campaign_names.h"
 #include "studio/campaign_table.h"
+#include "studio/library_words.h"
 
 namespace dorsum {
 namespace {
@@ -97,7 +98,7 @@ QString NewCampaignDialog::FindProblem() const {
   QString folder = ProblemOfNewFolder(parent_->text(), name_->text());
   if (!folder.isEmpty()) return folder;
   const Status name = CheckCampaignName(name_->text().trimmed().toStdString());
-  if (!name.ok()) return QString::fromStdString(name.error().message);
+  if (!name.ok()) return InOwnWords(name.error().message);
   if (is_virtual() && people_->value() == 0) return tr("Say how many virtual people are to come.");
   if (is_virtual() && (seed_->text().isEmpty() || seed_->text().toStdString().size() > 200))
     return tr("A seed has 1 to 200 characters.");
@@ -181,13 +182,13 @@ QString PersonDialog::FindProblem() const {
   const CampaignPerson answers = person();
   if (answers.id.empty()) return tr("Give the person an id, as p01; never a name.");
   const Status id = CheckPersonId(answers.id);
-  if (!id.ok()) return QString::fromStdString(id.error().message);
+  if (!id.ok()) return InOwnWords(id.error().message);
   if (!id_->isReadOnly() && taken_.contains(QString::fromStdString(answers.id), Qt::CaseInsensitive))
     return tr("%1 is in the campaign already; choose another id.").arg(id_->text().trimmed());
   if (is_virtual_) return {};
   if (!signed_->isChecked()) return tr("Nothing is stored of a person who has not signed the consent.");
   const Status date = CheckConsentDate(answers.consent_date, Today());
-  return date.ok() ? QString() : QString::fromStdString(date.error().message);
+  return date.ok() ? QString() : InOwnWords(date.error().message);
 }
 
 ExportDialog::ExportDialog(const fs::path& campaign, QWidget* parent)

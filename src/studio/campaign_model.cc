@@ -9,6 +9,7 @@
 #include "jobs/campaign_verify.h"
 #include "studio/campaign_scan.h"
 #include "studio/campaign_table.h"
+#include "studio/library_words.h"
 
 namespace dorsum {
 namespace {
@@ -19,7 +20,7 @@ constexpr const char* kLastKey = "campaign/last";
 
 QStringList ToTexts(const std::vector<std::string>& sentences) {
   QStringList texts;
-  for (const std::string& sentence : sentences) texts << QString::fromStdString(sentence);
+  for (const std::string& sentence : sentences) texts << InOwnWords(sentence);
   return texts;
 }
 

@@ -17,6 +17,7 @@
 #include "studio/campaign_dialogs.h"
 #include "studio/campaign_people.h"
 #include "studio/campaign_table.h"
+#include "studio/library_words.h"
 
 namespace dorsum {
 namespace {
@@ -230,8 +231,7 @@ void CampaignPage::ShowView() {
   if (!view->status.problems.empty()) {
     said_->setText(tr("Something of this campaign cannot be read, and does not count. Verify says more."));
     warnings_->clear();
-    for (const std::string& problem : view->status.problems)
-      warnings_->addItem(QString::fromStdString(problem));
+    for (const std::string& problem : view->status.problems) warnings_->addItem(InOwnWords(problem));
     warnings_->show();
   }
   Refresh();

@@ -28,6 +28,8 @@ CampaignPeople::CampaignPeople(CampaignTable* table, QWidget* parent)
   search_->setPlaceholderText(tr("Find an id"));
   search_->setAccessibleName(tr("Find an id"));
   search_->setClearButtonEnabled(true);
+  search_->setMinimumWidth(search_->fontMetrics().horizontalAdvance(search_->placeholderText()) +
+                           3 * search_->fontMetrics().height());  // the button that clears, and margins
   only_missing_->setObjectName("onlyMissing");
   only_missing_->setToolTip(tr("Hides the people of whom all is there"));
   add_->setObjectName("addPerson");

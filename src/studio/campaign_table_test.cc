@@ -7,11 +7,10 @@
 
 #include "jobs/campaign_fixture_test.h"
 #include "studio/campaign_filter.h"
+#include "studio/patience_test.h"
 
 namespace dorsum {
 namespace {
-
-constexpr int kLong_ms = 60000;
 
 class CampaignTableTest : public CampaignFixture {
  protected:
@@ -60,12 +59,12 @@ TEST_F(CampaignTableTest, APictureComesBesideTheWindowAndOneThatIsDamagedStaysAw
   const QModelIndex left = table_.IndexOf({"p01", 1, CampaignHand::kLeft});
   EXPECT_FALSE(left.data(Qt::DecorationRole).isValid()) << "nothing is read in the window's thread";
   QSignalSpy changed(&table_, &QAbstractItemModel::dataChanged);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return left.data(Qt::DecorationRole).isValid(); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return left.data(Qt::DecorationRole).isValid(); }, kPatience_ms));
   EXPECT_GE(changed.count(), 1);
   QSignalSpy made(&thumbnails_, &CampaignThumbnails::Made);
   const QModelIndex damaged = table_.IndexOf({"p01", 1, CampaignHand::kRight});
   static_cast<void>(damaged.data(Qt::DecorationRole));
-  ASSERT_TRUE(made.wait(kLong_ms));
+  ASSERT_TRUE(made.wait(kPatience_ms));
   EXPECT_FALSE(damaged.data(Qt::DecorationRole).isValid());
   EXPECT_EQ(thumbnails_.open_wishes(), 0U) << "it is not tried for ever";
 }
@@ -74,11 +73,11 @@ TEST_F(CampaignTableTest, ARetakenCaptureGetsItsOwnPicture) {
   ASSERT_TRUE(Capture(1).ok());
   QImage first, second;
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return !(first = thumbnails_.Want(Folder(), "one")).isNull(); }, kLong_ms));
+      QTest::qWaitFor([&] { return !(first = thumbnails_.Want(Folder(), "one")).isNull(); }, kPatience_ms));
   WriteNoiseCapture(Folder(), 77);
   EXPECT_EQ(thumbnails_.Want(Folder(), "one"), first);
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return !(second = thumbnails_.Want(Folder(), "two")).isNull(); }, kLong_ms));
+      QTest::qWaitFor([&] { return !(second = thumbnails_.Want(Folder(), "two")).isNull(); }, kPatience_ms));
   EXPECT_NE(first, second);
 }
 
@@ -87,7 +86,7 @@ TEST_F(CampaignTableTest, OnlyTheLatestPicturesAreKept) {
   ASSERT_TRUE(Capture(2).ok());
   CampaignThumbnails few(32, 1);
   const auto wait = [&](int number) {
-    return QTest::qWaitFor([&] { return !few.Want(Folder(number), "").isNull(); }, kLong_ms);
+    return QTest::qWaitFor([&] { return !few.Want(Folder(number), "").isNull(); }, kPatience_ms);
   };
   ASSERT_TRUE(wait(1));
   ASSERT_TRUE(wait(2));

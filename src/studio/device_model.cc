@@ -213,7 +213,7 @@ std::vector<CameraSetting> DeviceModel::CameraSettings() const {
       {tr("White balance"), OrLeft(c.white_balance_k > 0, tr("%1 K").arg(c.white_balance_k))},
   };
   for (const std::string& warning : facts->warnings) {
-    rows.push_back({tr("Could not be set"), QString::fromStdString(warning), true});
+    rows.push_back({tr("Could not be set"), InOwnWords(warning), true});
   }
   return rows;
 }

@@ -17,11 +17,10 @@
 #include "device/hooked_device_test.h"
 #include "device/virtual_bench.h"
 #include "jobs/scan_fixture_test.h"
+#include "studio/patience_test.h"
 
 namespace dorsum {
 namespace {
-
-constexpr int kLong_ms = 60000;
 
 class DevicePageTest : public ::testing::Test {
  protected:
@@ -38,7 +37,7 @@ class DevicePageTest : public ::testing::Test {
   void Open(DeviceModel* model) {
     QSignalSpy opened(&workbench_.device(), &DeviceSession::Opened);
     model->Open(Path());
-    ASSERT_TRUE(opened.wait(kLong_ms));
+    ASSERT_TRUE(opened.wait(kPatience_ms));
   }
   // What the bench says is lit, past all models.
   ChannelSet Lit() { return bench_ ? bench_->On() : ChannelSet(); }
@@ -52,7 +51,7 @@ class DevicePageTest : public ::testing::Test {
           return 0;
         },
         [&](const Result<int>&) { done = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, kLong_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, kPatience_ms));
     bench_ = bench;
   }
   template <class T>
@@ -76,10 +75,10 @@ TEST_F(DevicePageTest, ALaserLitByHandGoesOffByItself) {
   ASSERT_EQ(model.switches().size(), 4U);
   EXPECT_TRUE(model.switches()[0].on);  // the LEDs: a picture to begin with
   model.Switch(2, true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return Lit().test(1); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return Lit().test(1); }, kPatience_ms));
   EXPECT_GT(model.SecondsLeft(2), 0.0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !Lit().test(1); }, kLong_ms));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !model.switches()[2].on; }, kLong_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !Lit().test(1); }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !model.switches()[2].on; }, kPatience_ms));
   EXPECT_TRUE(model.switches()[0].on);
 }
 
@@ -88,11 +87,11 @@ TEST_F(DevicePageTest, WhatIsLitIsAskedFromTheController) {
   model.Watch(true);
   Open(&model);
   FindBench();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return model.LitWords().contains("LEDs"); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model.LitWords().contains("LEDs"); }, kPatience_ms));
   bench_->Switch(ChannelSet(4));  // behind everybody's back
-  EXPECT_TRUE(QTest::qWaitFor([&] { return model.LitWords().contains("Laser 2"); }, kLong_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return model.LitWords().contains("Laser 2"); }, kPatience_ms));
   model.AllOff();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return model.LitWords().contains("all lights are off"); }, kLong_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return model.LitWords().contains("all lights are off"); }, kPatience_ms));
 }
 
 TEST_F(DevicePageTest, LeavingThePagePutsAllOut) {
@@ -101,9 +100,9 @@ TEST_F(DevicePageTest, LeavingThePagePutsAllOut) {
   Open(page.model());
   FindBench();
   page.model()->Switch(1, true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return Lit().test(0); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return Lit().test(0); }, kPatience_ms));
   page.Leave();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return Lit().none(); }, kLong_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return Lit().none(); }, kPatience_ms));
   page.model()->Switch(1, true);
   QTest::qWait(50);
   EXPECT_TRUE(Lit().none());
@@ -117,19 +116,19 @@ TEST_F(DevicePageTest, ADeviceIsOpenedSeenExaminedAndClosed) {
   Find<QComboBox>(page, "which")->setCurrentText(Path());
   QTest::mouseClick(Find<QPushButton>(page, "open"), Qt::LeftButton);
   auto* picture = Find<FittedPicture>(page, "livePicture");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return picture->image().width() == 560; }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return picture->image().width() == 560; }, kPatience_ms));
   QTest::mouseClick(Find<QPushButton>(page, "light2"), Qt::LeftButton);
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return Find<QLabel>(page, "lit")->text().contains("Laser 1"); }, kLong_ms));
+      QTest::qWaitFor([&] { return Find<QLabel>(page, "lit")->text().contains("Laser 1"); }, kPatience_ms));
   EXPECT_EQ(Find<QTreeWidget>(page, "settings")->topLevelItemCount(), 9);
   QTest::mouseClick(Find<QPushButton>(page, "allOff"), Qt::LeftButton);
   EXPECT_FALSE(Find<QPushButton>(page, "light2")->isChecked());
   QTest::mouseClick(Find<QPushButton>(page, "examine"), Qt::LeftButton);
   auto* findings = Find<QTreeWidget>(page, "findings");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return findings->topLevelItemCount() > 0; }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return findings->topLevelItemCount() > 0; }, kPatience_ms));
   EXPECT_EQ(findings->findItems("laser 2", Qt::MatchExactly).size(), 1);
   QTest::mouseClick(Find<QPushButton>(page, "close"), Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !workbench_.device().facts(); }, kLong_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !workbench_.device().facts(); }, kPatience_ms));
   EXPECT_EQ(page.findChild<QLabel*>("state")->text(), "No device is open.");
   EXPECT_EQ(page.model()->Recent().front(), Path());
   EXPECT_EQ(failed_, "");
@@ -149,21 +148,21 @@ TEST_F(DevicePageTest, ACameraThatGoesIsSaidAndOpensAgain) {
         return 0;
       },
       [](const Result<int>&) {});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed_.empty(); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed_.empty(); }, kPatience_ms));
   EXPECT_NE(failed_.find("gone"), std::string::npos);
   EXPECT_TRUE(Find<QLabel>(page, "state")->text().contains("Open it again"));
   EXPECT_FALSE(page.model()->switches()[0].on);
   Open(page.model());
   EXPECT_TRUE(page.model()->switches()[0].on);
   auto* picture = Find<FittedPicture>(page, "livePicture");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !picture->image().isNull(); }, kLong_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !picture->image().isNull(); }, kPatience_ms));
 }
 
 TEST_F(DevicePageTest, WithoutADeviceTheMachineIsExaminedAndWhyTheDeviceDoesNotOpen) {
   DeviceModel model(&workbench_);
   QSignalSpy examined(&model, &DeviceModel::Examined);
   model.Examine("/nowhere/device.toml");
-  ASSERT_TRUE(examined.wait(kLong_ms));
+  ASSERT_TRUE(examined.wait(kPatience_ms));
   ASSERT_TRUE(model.report().has_value());
   EXPECT_EQ(model.report()->findings.back().subject, "device");
   EXPECT_NE(model.report()->findings.back().sentence.find("/nowhere"), std::string::npos);

@@ -10,11 +10,10 @@
 #include "base/temp_folder_test.h"
 #include "device/virtual_bench.h"
 #include "jobs/scan_fixture_test.h"
+#include "studio/patience_test.h"
 
 namespace dorsum {
 namespace {
-
-constexpr int kLong_ms = 60000;
 
 class DeviceSessionTest : public ::testing::Test {
  protected:
@@ -24,7 +23,7 @@ class DeviceSessionTest : public ::testing::Test {
     ASSERT_TRUE(WriteFile(dir_ / "device.toml", text).ok());
     QSignalSpy opened(&session_, &DeviceSession::Opened);
     session_.Open((dir_ / "device.toml").string());
-    ASSERT_TRUE(opened.wait(kLong_ms));
+    ASSERT_TRUE(opened.wait(kPatience_ms));
   }
   // What is lit, as the device's own thread sees it.
   ChannelSet Lit() {
@@ -32,7 +31,7 @@ class DeviceSessionTest : public ::testing::Test {
     session_.Run<ChannelSet>(
         "look", [](Device& device, const Context&) { return device.lights->On(); },
         [&](Result<ChannelSet> on) { lit = *on; });
-    EXPECT_TRUE(QTest::qWaitFor([&] { return lit.has_value(); }, kLong_ms));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return lit.has_value(); }, kPatience_ms));
     return lit.value_or(ChannelSet(99));
   }
 
@@ -51,7 +50,7 @@ TEST_F(DeviceSessionTest, ADeviceThatIsNotThereIsSaidAndTheWindowGoesOn) {
   std::optional<Error> error;
   QObject::connect(&session_, &DeviceSession::Failed, [&](const Error& e) { error = e; });
   session_.Open("/nowhere/device.toml");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kPatience_ms));
   EXPECT_EQ(error->code, ErrorCode::kBadInput);
   EXPECT_FALSE(session_.facts().has_value());
   OpenSmall();
@@ -64,7 +63,7 @@ TEST_F(DeviceSessionTest, ThePreviewShowsFramesAndStopsWithDarkLights) {
   QObject::connect(&session_, &DeviceSession::FrameReady,
                    [&](const cv::Mat& picture) { frames += picture.cols == 560 ? 1 : 0; });
   session_.StartPreview(LedChannels(session_.facts()->description), FrameLight::kLeds);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return frames >= 3; }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return frames >= 3; }, kPatience_ms));
   session_.StopPreview();
   EXPECT_TRUE(Lit().none());
 }
@@ -91,7 +90,7 @@ TEST_F(DeviceSessionTest, WithoutADeviceATaskFailsInASentence) {
   session_.Run<int>(
       "task", [](Device&, const Context&) -> Result<int> { return 1; },
       [&](Result<int> value) { error = value.error(); });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kPatience_ms));
   EXPECT_EQ(error->code, ErrorCode::kDevice);
 }
 
@@ -107,7 +106,7 @@ TEST_F(DeviceSessionTest, ATaskThatRunsCanBeCancelled) {
       [&](Result<int> value) { error = value.error(); });
   QTest::qWait(20);
   session_.Cancel();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kLong_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kPatience_ms));
   EXPECT_EQ(error->code, ErrorCode::kCancelled);
 }
 

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "studio/patience_test.h"
+
 namespace dorsum {
 namespace {
-
-constexpr int kLong_ms = 30000;
 
 TEST(JobRunner, TheResultComesInTheWindowsThread) {
   JobRunner runner;
@@ -28,7 +28,7 @@ TEST(JobRunner, TheResultComesInTheWindowsThread) {
         where = QThread::currentThread();
       });
   EXPECT_TRUE(runner.busy());
-  ASSERT_TRUE(finished.wait(kLong_ms));
+  ASSERT_TRUE(finished.wait(kPatience_ms));
   EXPECT_EQ(value, 42);
   EXPECT_EQ(where, runner.thread());
   EXPECT_FALSE(runner.busy());
@@ -48,7 +48,7 @@ TEST(JobRunner, AJobThatRunsCanBeCancelledAndAnotherRun) {
         },
         [&](Result<int> result) { code = result.error().code; });
     runner.Cancel();
-    ASSERT_TRUE(finished.wait(kLong_ms));
+    ASSERT_TRUE(finished.wait(kPatience_ms));
     EXPECT_EQ(code, ErrorCode::kCancelled);
   }
 }
@@ -64,7 +64,7 @@ TEST(JobRunner, AJobThatReportsAllTheTimeDoesNotKeepTheWindowBusy) {
         return true;
       },
       [](const Result<bool>&) {});
-  ASSERT_TRUE(finished.wait(kLong_ms));
+  ASSERT_TRUE(finished.wait(kPatience_ms));
   EXPECT_LT(progressed.count(), 10000);
   EXPECT_EQ(progressed.back().front().toString(), "silent");
 }

@@ -182,6 +182,9 @@ void OptionPanel::Show(std::size_t row) {
   showing_ = false;
 }
 
+// An undo stack that ends tells its listeners once more, which may have ended before.
+OptionPanel::~OptionPanel() { undo_->blockSignals(true); }
+
 QWidget* OptionPanel::Editor(const std::string& name) const {
   for (const Row& row : rows_) {
     if (row.spec->name == name) return row.editor;

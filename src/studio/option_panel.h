@@ -20,6 +20,7 @@ class OptionPanel : public QWidget {
  public:
   // `table` must outlive the panel.
   explicit OptionPanel(OptionTable* table, QWidget* parent = nullptr);
+  ~OptionPanel() override;
 
   QUndoStack* undo() { return undo_; }
   // What edits this option: a QSpinBox, QDoubleSpinBox, QCheckBox or QComboBox; none for an unknown name.

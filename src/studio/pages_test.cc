@@ -3,6 +3,7 @@
 // screen.
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QPalette>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -101,6 +102,9 @@ TEST_F(PagesTest, OnASmallScreenNothingIsCutAndAt200PercentEverythingCanBeReache
       }
     }
   }
+  EXPECT_EQ(Find<QWidget>(window_.get(), "classic")->width(), Find<QWidget>(window_.get(), "ours")->width());
+  const auto* search = Find<QLineEdit>(window_.get(), "search");
+  EXPECT_GT(search->width(), search->fontMetrics().horizontalAdvance(search->placeholderText()));
   QApplication::setPalette(DarkPalette());
   for (int i = 0; i < window_->pages(); ++i) {
     window_->ShowPage(i);

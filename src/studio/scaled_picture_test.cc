@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "studio/patience_test.h"
+
 namespace dorsum {
 namespace {
-
-constexpr int kPatience_ms = 20000;
 
 QImage Plain(int width, int height, QColor colour) {
   QImage image(width, height, QImage::Format_BGR888);

@@ -12,11 +12,10 @@
 #include "device/hooked_device_test.h"
 #include "device/virtual_bench.h"
 #include "jobs/scan_fixture_test.h"
+#include "studio/patience_test.h"
 #include "studio/scan_model.h"
 
 namespace dorsum {
-
-inline constexpr int kPatience_ms = 60000;
 
 // A workbench with the small virtual device of the scan fixture.
 class ScanTest : public ::testing::Test {

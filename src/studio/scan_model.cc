@@ -6,31 +6,24 @@
 #include <QStandardPaths>
 #include <utility>
 
-#include "captures/names.h"
-#include "device/virtual_bench.h"
 #include "jobs/capture.h"
-#include "studio/virtual_calibration.h"
 
 namespace dorsum {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSurfaceStage = "surface";
-
-fs::path Standard(QStandardPaths::StandardLocation which) {
-  return QStandardPaths::writableLocation(which).toStdString();
+fs::path Documents() {
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation).toStdString();
 }
-
-QString StepOfLaser(int laser) { return QString::fromStdString(StripesHandName(laser)); }
 
 }  // namespace
 
 ScanModel::ScanModel(Workbench* workbench, QObject* parent)
     : QObject(parent),
       workbench_(workbench),
-      folder_(Standard(QStandardPaths::DocumentsLocation) / "Dorsum" / "captures"),
-      cache_(Standard(QStandardPaths::CacheLocation)) {
+      virtual_(workbench),
+      folder_(Documents() / "Dorsum" / "captures") {
   DeviceSession* device = &workbench_->device();
   connect(device, &DeviceSession::Opened, this, &ScanModel::OnOpened);
   connect(device, &DeviceSession::Closed, this, [this] { Go(ScanState::kNoDevice); });
@@ -42,58 +35,17 @@ ScanModel::ScanModel(Workbench* workbench, QObject* parent)
     advisor_.reset();
     if (IsLive()) GoLive();
   });
+  connect(&virtual_, &VirtualSession::Placed, this, [this] { armed_ = true; });
+  connect(&virtual_, &VirtualSession::Failed, this, &ScanModel::OnFailed);
+  connect(&virtual_, &VirtualSession::Calibrated, this, [this](const fs::path& file) {
+    GoLive();
+    workbench_->LoadCalibration(file);
+  });
   if (device->facts()) OnOpened();
 }
 
 QString ScanModel::Sentence() const {
-  switch (state_) {
-    case ScanState::kNoDevice:
-      return tr("No device is open");
-    case ScanState::kLost:
-      return tr("The device does not answer: look at its cables");
-    case ScanState::kNoCalibration:
-      return workbench_->calibration() ? tr("The calibration is of another device")
-                                       : tr("This device needs its calibration first");
-    case ScanState::kCalibrating:
-      return tr("The virtual device calibrates itself");
-    case ScanState::kCapturing:
-      return again_.isEmpty() ? tr("Hold still") : tr("Once more: hold still");
-    case ScanState::kComputing:
-      return tr("Thank you: you may take the hand away");
-    case ScanState::kShown:
-      return tr("Is it good?");
-    case ScanState::kKept:
-      return tr("Kept");
-    case ScanState::kPreview:
-    case ScanState::kReady:
-      break;
-  }
-  switch (view_.advice) {
-    case Advice::kPutHandDown:
-      return tr("Put your hand down");
-    case Advice::kLightChanged:
-      return tr("The light has changed: calibrate again");
-    case Advice::kMoveLeft:
-      return tr("Move the hand to the left");
-    case Advice::kMoveRight:
-      return tr("Move the hand to the right");
-    case Advice::kMoveUp:
-      return tr("Move the hand up");
-    case Advice::kMoveDown:
-      return tr("Move the hand down");
-    case Advice::kSpreadFingers:
-      return tr("Spread the fingers");
-    case Advice::kHoldStill:
-      return tr("Hold still");
-    case Advice::kGood:
-      break;
-  }
-  return tr("Good: hold still");
-}
-
-bool ScanModel::is_virtual() const {
-  const auto& facts = workbench_->device().facts();
-  return facts && facts->is_virtual;
+  return ScanSentence(state_, view_.advice, workbench_->calibration() != nullptr, !again_.isEmpty());
 }
 
 bool ScanModel::IsLive() const {
@@ -133,21 +85,11 @@ void ScanModel::Deactivate() {
   workbench_->device().StopPreview();
 }
 
-fs::path ScanModel::CalibrationDir() const {
-  return VirtualCalibrationDir(cache_, workbench_->device().facts()->name);
-}
-
-// A virtual device that was calibrated before, or another one than the calibration is of, takes its own.
 void ScanModel::OnOpened() {
   advisor_.reset();
   armed_ = true;
   GoLive();
-  if (!is_virtual() || workbench_->jobs().busy()) return;
-  const fs::path own = CalibrationDir() / "calibration.json", now = workbench_->calibration_path();
-  const bool chosen =
-      workbench_->calibration() && now.parent_path().parent_path() != own.parent_path().parent_path();
-  std::error_code ec;
-  if (!chosen && now != own && fs::exists(own, ec)) workbench_->LoadCalibration(own);
+  virtual_.LoadOwnCalibration();
 }
 
 void ScanModel::SetAutomatic(bool automatic) {
@@ -183,48 +125,22 @@ void ScanModel::OnViewed(HandView view) {
   if (ready && automatic_ && armed_) Scan();
 }
 
-Result<ScanModel::Taken> ScanModel::TakeScan(Device& device,
-                                             const std::shared_ptr<const ReadyCalibration>& calibration,
-                                             const std::string& name, const Context& context) {
-  Taken taken;
-  double last_frame_s = 0.0;
-  Context capturing = context;
-  capturing.progress = [&](std::string_view stage, double fraction) {
-    context.Report(stage, 0.7 * fraction);
-  };
-  DORSUM_ASSIGN_OR_RETURN(TakenCapture images, TakeCapture(device, {}, calibration.get(), capturing));
-  last_frame_s = MonotonicSeconds();
-  context.Report(kSurfaceStage, 0.7);
-  Context computing = context;
-  computing.progress = [&](std::string_view, double fraction) {
-    context.Report(kSurfaceStage, 0.7 + 0.3 * fraction);
-  };
-  DORSUM_ASSIGN_OR_RETURN(taken.scan,
-                          MakeScan(name, {}, std::move(images.images), calibration, {}, computing));
-  taken.fingers = JudgeFingers(taken.scan->surface, calibration->calibration.device.camera);
-  taken.last_frame_s = last_frame_s;
-  return taken;
-}
-
 void ScanModel::Scan() {
   if (state_ != ScanState::kPreview && state_ != ScanState::kReady) return;
   again_.clear();
-  steps_ = {"dark", kBgHandName};
-  const auto& facts = workbench_->device().facts();
-  for (std::size_t k = 0; k < facts->description.lasers.size(); ++k) {
-    steps_ << StepOfLaser(static_cast<int>(k));
-  }
-  steps_ << kBgHandAfterName << kSurfaceStage;
+  steps_.clear();
+  const auto lasers = static_cast<int>(workbench_->device().facts()->description.lasers.size());
+  for (const std::string& stage : StagesOfScan(lasers)) steps_ << QString::fromStdString(stage);
   steps_done_ = 0;
   armed_ = false;
   Go(ScanState::kCapturing);
   const std::string name = QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss").toStdString();
-  workbench_->device().Run<Taken>(
+  workbench_->device().Run<TakenScan>(
       tr("Scanning"),
       [calibration = workbench_->calibration(), name](Device& device, const Context& context) {
         return TakeScan(device, calibration, name, context);
       },
-      [self = QPointer<ScanModel>(this)](Result<Taken> taken) {
+      [self = QPointer<ScanModel>(this)](Result<TakenScan> taken) {
         if (self) self->OnTaken(std::move(taken));
       });
 }
@@ -243,7 +159,7 @@ void ScanModel::OnProgress(const QString& stage) {
   Go(stage == kSurfaceStage ? ScanState::kComputing : ScanState::kCapturing);
 }
 
-void ScanModel::OnTaken(Result<Taken> taken) {
+void ScanModel::OnTaken(Result<TakenScan> taken) {
   if (!taken.ok()) return OnFailed(taken.error());
   fingers_ = taken->fingers;
   steps_done_ = static_cast<int>(steps_.size());
@@ -297,36 +213,10 @@ void ScanModel::Reconnect() {
   if (state_ == ScanState::kLost && facts) workbench_->device().Open(std::string(facts->name));
 }
 
-void ScanModel::Place(const QString& scene) {
-  if (!is_virtual()) return;
-  workbench_->device().Run<bool>(
-      tr("Laying something before the device"),
-      [scene = scene.toStdString()](Device& device, const Context&) -> Result<bool> {
-        if (!device.bench) return UsageError("this device is not virtual");
-        DORSUM_RETURN_IF_ERROR(device.bench->PlaceNamed(scene));
-        return true;
-      },
-      [self = QPointer<ScanModel>(this)](const Result<bool>& placed) {
-        if (!self) return;
-        self->armed_ = true;
-        if (!placed.ok()) self->workbench_->Fail(placed.error());
-      });
-}
-
 void ScanModel::CalibrateVirtual() {
   if (!is_virtual() || !IsLive()) return;
   Go(ScanState::kCalibrating);
-  workbench_->device().Run<fs::path>(
-      tr("Calibrating the virtual device"),
-      [dir = CalibrationDir()](Device& device, const Context& context) {
-        return CalibrateVirtualDevice(device, dir, context);
-      },
-      [self = QPointer<ScanModel>(this)](Result<fs::path> file) {
-        if (!self) return;
-        if (!file.ok()) return self->OnFailed(file.error());
-        self->GoLive();
-        self->workbench_->LoadCalibration(*file);
-      });
+  virtual_.Calibrate();
 }
 
 }  // namespace dorsum

@@ -9,24 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "studio/finger_quality.h"
 #include "studio/hand_advice.h"
-#include "studio/workbench.h"
+#include "studio/scan_words.h"
+#include "studio/take_scan.h"
+#include "studio/virtual_session.h"
 
 namespace dorsum {
-
-enum class ScanState {
-  kNoDevice,
-  kLost,           // the device failed while it was used
-  kNoCalibration,  // live picture, but none that fits the device
-  kPreview,        // live picture, the hand is not right yet
-  kReady,          // it rests and is good
-  kCapturing,
-  kComputing,
-  kShown,        // the surface is there, not kept yet
-  kKept,         // it is on the disk
-  kCalibrating,  // a virtual device, by itself
-};
 
 // The way of one hand through the scanner, for the page that shows it: live picture and advice, capture,
 // surface, keep or repeat. No widgets.
@@ -68,10 +56,10 @@ class ScanModel : public QObject {
   void SetFolder(const std::filesystem::path& folder) { folder_ = folder; }
 
   // Of a virtual device only.
-  bool is_virtual() const;
-  void Place(const QString& scene);  // as simulator/named_scene.h names it
+  bool is_virtual() const { return virtual_.is_open(); }
+  void Place(const QString& scene) { virtual_.Place(scene); }
   void CalibrateVirtual();
-  void SetCache(const std::filesystem::path& cache) { cache_ = cache; }
+  void SetCache(const std::filesystem::path& cache) { virtual_.SetCache(cache); }
 
  signals:
   void Changed();      // state, sentence or steps
@@ -79,14 +67,6 @@ class ScanModel : public QObject {
   void Kept(const QString& folder);
 
  private:
-  struct Taken {
-    std::shared_ptr<const dorsum::Scan> scan;
-    std::vector<FingerQuality> fingers;
-    double last_frame_s = 0.0;
-  };
-  static Result<Taken> TakeScan(Device& device, const std::shared_ptr<const ReadyCalibration>& calibration,
-                                const std::string& name, const Context& context);
-
   void Go(ScanState state);
   void GoLive();  // the state that fits device and calibration, with a live picture
   bool CalibrationFits() const;
@@ -95,11 +75,11 @@ class ScanModel : public QObject {
   void OnFrame(const cv::Mat& picture);
   void OnViewed(HandView view);
   void OnProgress(const QString& stage);
-  void OnTaken(Result<Taken> taken);
+  void OnTaken(Result<TakenScan> taken);
   void OnFailed(const Error& error);  // of a task
-  std::filesystem::path CalibrationDir() const;
 
   Workbench* workbench_;
+  VirtualSession virtual_;
   ScanState state_ = ScanState::kNoDevice;
   HandView view_;
   QString again_;  // why a picture is taken again
@@ -110,7 +90,7 @@ class ScanModel : public QObject {
   std::shared_ptr<const dorsum::Scan> taken_;  // the workbench's may be another, opened meanwhile
   std::vector<FingerQuality> fingers_;
   double wait_s_ = 0.0;
-  std::filesystem::path folder_, cache_;
+  std::filesystem::path folder_;
   std::shared_ptr<HandAdvisor> advisor_;
   JobRunner looking_, saving_;  // last: they end first
 };

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <cstdlib>
 
+#include "studio/library_words.h"
 #include "studio/stages_page.h"
 
 namespace dorsum {
@@ -43,7 +44,7 @@ QString StageTitle(const std::string& key) {
 QString StageFigures(const ChainStages& now, const ChainStages* before) {
   if (now.error) {
     return StagesPage::tr("This chain ended early: %1. Take the last change back, or try other values.")
-        .arg(QString::fromStdString(now.error->message));
+        .arg(InOwnWords(now.error->message));
   }
   return StagesPage::tr("%1 points, %2 faces, computed in %3 s")
       .arg(WithDifference(now.points, before != nullptr ? &before->points : nullptr),

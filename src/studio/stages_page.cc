@@ -117,7 +117,11 @@ QWidget* StagesPage::MakeViews() {
     figures->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     figures->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* heading = new QLabel("<b>" + title + "</b>", box);
+    heading->setWordWrap(true);
     heading->setBuddy(view);
+    // The pictures alone decide on the columns, not the longest word, so that both are as wide.
+    for (QLabel* words : {heading, figures}) words->setMinimumWidth(1);
+    view->setMinimumWidth(12 * fontMetrics().horizontalAdvance('M'));
     grid->addWidget(heading, 1, column);
     grid->addWidget(view, 2, column);
     grid->addWidget(figures, 3, column);

@@ -14,12 +14,11 @@
 #include "studio/fixture_scan_test.h"
 #include "studio/main_window.h"
 #include "studio/option_panel.h"
+#include "studio/patience_test.h"
 #include "studio/picture_view.h"
 
 namespace dorsum {
 namespace {
-
-constexpr int kLong_ms = 120000;
 
 class StagesPageTest : public ::testing::Test {
  protected:
@@ -47,7 +46,7 @@ TEST_F(StagesPageTest, ItRunsOnlyWhereItIsSeenAndAnewWhenAParameterChanges) {
   EXPECT_FALSE(workbench_.jobs().busy()) << "nobody looks at it";
   QSignalSpy compared(&page_, &StagesPage::Compared);
   page_.Enter();
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   auto* list = page_.findChild<QListWidget*>("stages");
   ASSERT_EQ(list->count(), static_cast<int>(page_.comparison()->keys.size()));
   for (int i = 0; i < list->count(); ++i)
@@ -63,14 +62,14 @@ TEST_F(StagesPageTest, ItRunsOnlyWhereItIsSeenAndAnewWhenAParameterChanges) {
 
   auto* area = qobject_cast<QSpinBox*>(page_.options()->Editor("stripe-min-rows"));
   area->setValue(area->value() + 60);
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   EXPECT_NE(page_.comparison(), before);
   EXPECT_LT(page_.comparison()->classic.points, before->classic.points);
   EXPECT_TRUE(page_.findChild<QLabel*>("classicFigures")->text().contains(QChar(0x2212)));
   EXPECT_TRUE(list->currentItem()->text().contains("Laser 1: orders")) << "the stage stays";
   EXPECT_TRUE(list->currentItem()->text().startsWith(QChar(0x2022)));
   QTest::mouseClick(page_.findChild<QPushButton*>("undo"), Qt::LeftButton);
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   EXPECT_EQ(page_.comparison()->classic.points, before->classic.points);
 }
 
@@ -81,12 +80,12 @@ TEST_F(StagesPageTest, AChangeCancelsTheRunThatIsUnderWay) {
   page_.Enter();
   ASSERT_TRUE(workbench_.jobs().busy());
   page_.Leave();
-  ASSERT_TRUE(finished.wait(kLong_ms));
+  ASSERT_TRUE(finished.wait(kPatience_ms));
   EXPECT_EQ(page_.comparison(), nullptr);
   page_.Enter();
   ASSERT_TRUE(workbench_.jobs().busy());
   workbench_.SetScan(FixtureScan(ScanFixture::kBox));
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   EXPECT_EQ(page_.comparison()->ours.points, workbench_.scan()->surface.points.size());
 }
 
@@ -104,7 +103,7 @@ TEST_F(StagesPageTest, ItWaitsForTheWorkOfOthers) {
   page_.Enter();
   EXPECT_TRUE(View("ours")->words().contains("other work"));
   go = true;
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
 }
 
 TEST_F(StagesPageTest, TheTwoViewsLookAtTheSamePart) {
@@ -131,13 +130,13 @@ TEST_F(StagesPageTest, AComputationThatThePersonStoppedCanBeBegunAgain) {
   page_.Enter();
   ASSERT_TRUE(workbench_.jobs().busy());
   workbench_.jobs().Cancel();
-  ASSERT_TRUE(finished.wait(kLong_ms));
+  ASSERT_TRUE(finished.wait(kPatience_ms));
   EXPECT_EQ(page_.comparison(), nullptr);
   EXPECT_TRUE(View("ours")->words().contains("stopped"));
   auto* again = page_.findChild<QPushButton*>("again");
   ASSERT_TRUE(again->isVisible());
   QTest::mouseClick(again, Qt::LeftButton);
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   EXPECT_FALSE(again->isVisible());
   EXPECT_FALSE(View("ours")->picture().isNull());
 }
@@ -146,7 +145,7 @@ TEST_F(StagesPageTest, WhatWasBeforeTheChangeIsShownAgainOnRequest) {
   workbench_.SetScan(FixtureScan(ScanFixture::kBox));
   QSignalSpy compared(&page_, &StagesPage::Compared);
   page_.Enter();
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   auto* button = page_.findChild<QPushButton*>("before");
   auto* state = page_.findChild<QLabel*>("state");
   EXPECT_FALSE(button->isEnabled());
@@ -158,7 +157,7 @@ TEST_F(StagesPageTest, WhatWasBeforeTheChangeIsShownAgainOnRequest) {
   auto* offset = qobject_cast<QDoubleSpinBox*>(page_.options()->Editor("stripe-offset"));
   offset->setValue(offset->value() + 6.0);
   EXPECT_TRUE(state->text().contains("parameters changed")) << state->text().toStdString();
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   EXPECT_TRUE(state->text().contains("a dot marks them")) << state->text().toStdString();
   EXPECT_NE(View("classic")->picture(), before);
   QTest::mouseClick(button, Qt::LeftButton);
@@ -171,9 +170,9 @@ TEST_F(StagesPageTest, AChainThatFailsSaysWhyAndWhatToDo) {
   workbench_.SetScan(FixtureScan(ScanFixture::kBox));
   QSignalSpy compared(&page_, &StagesPage::Compared);
   page_.Enter();
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   qobject_cast<QDoubleSpinBox*>(page_.options()->Editor("mask-min-contrast"))->setValue(255.0);
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   EXPECT_TRUE(page_.findChild<QLabel*>("classicFigures")->text().contains("Take the last change back"));
   EXPECT_FALSE(page_.findChild<QLabel*>("oursFigures")->text().contains("ended early"));
 }
@@ -199,9 +198,9 @@ TEST(StagesPagePicture, TheWindowAtItsUsualSize) {
   EXPECT_TRUE(window.grab().save(folder + "/studio-stages-empty.png"));
   QSignalSpy compared(page, &StagesPage::Compared);
   workbench.SetScan(FixtureScan(ScanFixture::kHand));
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   qobject_cast<QSpinBox*>(page->options()->Editor("stripe-min-rows"))->setValue(40);
-  ASSERT_TRUE(compared.wait(kLong_ms));
+  ASSERT_TRUE(compared.wait(kPatience_ms));
   auto* list = page->findChild<QListWidget*>("stages");
   for (int i = 0; i < list->count(); ++i) {
     if (list->item(i)->text().contains("Laser 1: orders")) list->setCurrentRow(i);

@@ -131,7 +131,7 @@ SceneBuffers MakeBuffers(const Reconstruction& surface, ColourBy by, const Other
   for (const std::uint32_t i : SpreadOrder(surface.points.size())) {
     const SurfacePoint& p = surface.points[i];
     if (!p.position.allFinite()) continue;
-    buffers.points.push_back(MakeVertex(p.position, p.normal, buffers.scale.At(of_points[i])));
+    buffers.points.push_back(MakeVertex(p.position, p.normal.cast<double>(), buffers.scale.At(of_points[i])));
     bound(p.position);
   }
   const std::vector<Eigen::Vector3d> normals = NormalsOf(surface.mesh);

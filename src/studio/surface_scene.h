@@ -39,6 +39,11 @@ struct SceneBuffers {
 };
 SceneBuffers MakeBuffers(const Reconstruction& surface, ColourBy by, const OtherHeight& other);
 
+// What lies over the surface: lines as rows of small dots, chosen places as large ones.
+struct SceneMarks {
+  std::vector<Eigen::Vector3d> line, places;  // world, mm
+};
+
 // A place of the surface that a person points at.
 struct Picked {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // world, mm

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/surface_view.h"
 
+#include <QElapsedTimer>
+#include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOpenGLContext>
+#include <QPainter>
+#include <QSurfaceFormat>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -70,30 +73,44 @@ std::vector<SceneVertex> Dots(const std::vector<Eigen::Vector3d>& places) {
 
 }  // namespace
 
-SurfaceView::SurfaceView(QWidget* parent) : QOpenGLWidget(parent) {
+SurfaceView::SurfaceView(QWidget* parent)
+    : QWidget(parent), offscreen_(new QOffscreenSurface(nullptr, this)), context_(new QOpenGLContext(this)) {
   setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(fontMetrics().averageCharWidth() * 30, fontMetrics().height() * 10);
   rest_.setSingleShot(true);
   rest_.setInterval(kRest_ms);
   connect(&rest_, &QTimer::timeout, this, [this] {
     moving_ = false;
-    update();
+    Redraw();
   });
 }
 
 SurfaceView::~SurfaceView() { FreeGraphics(); }
 
 void SurfaceView::FreeGraphics() {
-  if (!ready_) return;
-  makeCurrent();
+  if (graphics_ != Graphics::kReady || !context_->makeCurrent(offscreen_)) return;
   for (Layer* layer : {&points_, &mesh_, &line_, &places_}) {
     layer->array.destroy();
     layer->vertices.destroy();
     layer->indices.destroy();
   }
   program_.removeAllShaders();
-  doneCurrent();
-  ready_ = false;
+  target_.reset();
+  resolved_.reset();
+  context_->doneCurrent();
+}
+
+void SurfaceView::Redraw() {
+  stale_ = true;
+  update();
+}
+
+void SurfaceView::resizeEvent(QResizeEvent*) { Redraw(); }
+
+void SurfaceView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) Redraw();
+  QWidget::changeEvent(event);
 }
 
 void SurfaceView::SetBuffers(std::shared_ptr<const SceneBuffers> buffers, bool frame) {
@@ -101,39 +118,51 @@ void SurfaceView::SetBuffers(std::shared_ptr<const SceneBuffers> buffers, bool f
   if (frame && buffers_) camera_.Frame(buffers_->low, buffers_->high);
   surface_changed_ = true;
   moving_ = false;
-  update();
+  Redraw();
 }
 
 void SurfaceView::SetShown(Shown shown) {
   shown_ = shown;
-  update();
+  Redraw();
 }
 
 void SurfaceView::SetMarks(const SceneMarks& marks) {
   marks_ = marks;
   marks_changed_ = true;
-  update();
+  Redraw();
 }
 
 QImage SurfaceView::Picture() {
   moving_ = false;
-  return grabFramebuffer();
+  Draw();
+  update();
+  return frame_;
 }
 
-void SurfaceView::initializeGL() {
-  // A window that moves to another screen gets a new context: what the old one had is gone.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SurfaceView::FreeGraphics,
-          Qt::UniqueConnection);
-  if (!initializeOpenGLFunctions() ||
-      !program_.addShaderFromSourceCode(QOpenGLShader::Vertex, kVertexShader) ||
-      !program_.addShaderFromSourceCode(QOpenGLShader::Fragment, kFragmentShader) || !program_.link()) {
-    emit Unavailable(
-        tr("this display has no OpenGL 3.3, so the surface cannot be drawn; measuring and export "
-           "of files work without it"));
-    return;
+// The context is made when it is first needed; makes it current.
+bool SurfaceView::MakeReady() {
+  if (graphics_ == Graphics::kUntried) {
+    graphics_ = Prepare() ? Graphics::kReady : Graphics::kNone;
+    if (graphics_ == Graphics::kNone) {
+      const QString why =
+          tr("this display has no OpenGL 3.3, so the surface cannot be drawn; measuring and export "
+             "of files work without it");
+      QMetaObject::invokeMethod(
+          this, [this, why] { emit Unavailable(why); }, Qt::QueuedConnection);
+    }
   }
-  ready_ = true;
+  return graphics_ == Graphics::kReady && context_->makeCurrent(offscreen_);
+}
+
+bool SurfaceView::Prepare() {
+  if (!context_->create()) return false;
+  offscreen_->setFormat(context_->format());
+  offscreen_->create();
+  if (!offscreen_->isValid() || !context_->makeCurrent(offscreen_)) return false;
   surface_changed_ = marks_changed_ = true;
+  return initializeOpenGLFunctions() &&
+         program_.addShaderFromSourceCode(QOpenGLShader::Vertex, kVertexShader) &&
+         program_.addShaderFromSourceCode(QOpenGLShader::Fragment, kFragmentShader) && program_.link();
 }
 
 void SurfaceView::Upload(Layer* layer, const std::vector<SceneVertex>& vertices,
@@ -204,8 +233,39 @@ void SurfaceView::DrawLayers() {
   DrawDots(&places_, places_.count, 9.0, false);
 }
 
-void SurfaceView::paintGL() {
-  if (!ready_) return;
+void SurfaceView::Draw() {
+  const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
+  if (size.isEmpty() || !MakeReady()) return;
+  if (!target_ || target_->size() != size) {
+    QOpenGLFramebufferObjectFormat format;
+    resolved_ = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    format.setAttachment(QOpenGLFramebufferObject::Depth);
+    format.setSamples(std::max(0, QSurfaceFormat::defaultFormat().samples()));
+    target_ = std::make_unique<QOpenGLFramebufferObject>(size, format);
+  }
+  target_->bind();
+  glViewport(0, 0, size.width(), size.height());
+  DrawOnce();
+  QOpenGLFramebufferObject::blitFramebuffer(resolved_.get(), target_.get());
+  frame_ = resolved_->toImage();
+  frame_.setDevicePixelRatio(devicePixelRatioF());
+  context_->doneCurrent();
+  stale_ = false;
+}
+
+void SurfaceView::paintEvent(QPaintEvent*) {
+  const bool anew = stale_ || frame_.devicePixelRatio() != devicePixelRatioF();  // on another screen
+  if (anew) Draw();
+  QPainter painter(this);
+  if (frame_.isNull()) {
+    painter.fillRect(rect(), palette().color(QPalette::Window).darker(175));
+  } else {
+    painter.drawImage(rect(), frame_);
+  }
+  if (anew) emit Drawn();
+}
+
+void SurfaceView::DrawOnce() {
   UploadAll();
   // Stripes of all orders, the white one too, stand out from it in the light and in the dark theme.
   const QColor back = palette().color(QPalette::Window).darker(175);
@@ -232,7 +292,7 @@ void SurfaceView::paintGL() {
 void SurfaceView::Moved() {
   moving_ = true;
   rest_.start();
-  update();
+  Redraw();
 }
 
 void SurfaceView::Turn(double yaw_deg, double pitch_deg) {
@@ -305,7 +365,7 @@ void SurfaceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Enter:
       return Aim(QRectF(rect()).center());
     default:
-      QOpenGLWidget::keyPressEvent(event);
+      QWidget::keyPressEvent(event);
   }
 }
 

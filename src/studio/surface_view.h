@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
+#include <QImage>
+#include <QOffscreenSurface>
 #include <QOpenGLBuffer>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <memory>
 #include <vector>
 
@@ -16,15 +19,12 @@
 
 namespace dorsum {
 
-// What lies over the surface: lines as rows of small dots, chosen places as large ones.
-struct SceneMarks {
-  std::vector<Eigen::Vector3d> line, places;  // world, mm
-};
-
 // A surface in perspective under two lights, turned by mouse or keys. Vertices go to the graphics card when
 // they change, never for a frame. Where drawing all points takes too long for a smooth movement, a spread
 // part of them is drawn as long as the view moves, and all when it rests.
-class SurfaceView : public QOpenGLWidget, protected QOpenGLFunctions_3_3_Core {
+// Drawn aside and painted as a picture. A QOpenGLWidget would have OpenGL compose the whole window, on all
+// pages: without a graphics card, beside a computation that takes all cores, for a third of a second.
+class SurfaceView : public QWidget, protected QOpenGLFunctions_3_3_Core {
   Q_OBJECT
 
  public:
@@ -45,10 +45,12 @@ class SurfaceView : public QOpenGLWidget, protected QOpenGLFunctions_3_3_Core {
   // A person points at what the ray meets; a finger's or pixel's breadth is `slope` of the distance.
   void Aimed(const dorsum::Ray& ray, double slope);
   void Unavailable(const QString& why);  // no OpenGL 3.3 here
+  void Drawn();                          // anew, and painted
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -61,6 +63,12 @@ class SurfaceView : public QOpenGLWidget, protected QOpenGLFunctions_3_3_Core {
     QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer}, indices{QOpenGLBuffer::IndexBuffer};
     int count = 0;  // of vertices, or of indices where there are some
   };
+  enum class Graphics { kUntried, kReady, kNone };
+  void Redraw();  // the picture is to be made anew
+  bool MakeReady();
+  bool Prepare();
+  void Draw();      // frame_
+  void DrawOnce();  // into the current target
   void Upload(Layer* layer, const std::vector<SceneVertex>& vertices,
               const std::vector<std::uint32_t>& indices);
   void UploadAll();
@@ -75,7 +83,12 @@ class SurfaceView : public QOpenGLWidget, protected QOpenGLFunctions_3_3_Core {
   SceneMarks marks_;
   Shown shown_ = Shown::kMesh;
   OrbitCamera camera_;
-  bool ready_ = false, surface_changed_ = false, marks_changed_ = false;
+  bool surface_changed_ = false, marks_changed_ = false, stale_ = true;
+  Graphics graphics_ = Graphics::kUntried;
+  QOffscreenSurface* offscreen_;
+  QOpenGLContext* context_;  // owned as children are, so that it outlives the functions
+  std::unique_ptr<QOpenGLFramebufferObject> target_, resolved_;  // target_ has samples
+  QImage frame_;
   QOpenGLShaderProgram program_;
   Layer points_, mesh_, line_, places_;
   QTimer rest_;

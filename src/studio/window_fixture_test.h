@@ -10,6 +10,7 @@
 #include "studio/banner.h"
 #include "studio/console_watch_test.h"
 #include "studio/main_window.h"
+#include "studio/patience_test.h"
 #include "studio/scan_fixture_studio_test.h"
 
 namespace dorsum {
@@ -47,7 +48,7 @@ class WindowTest : public ScanTest {
     button->click();
   }
   static bool Until(const std::function<bool()>& done) {
-    return QTest::qWaitFor(done, qEnvironmentVariableIsSet("DORSUM_SESSION_DEVICE") ? 900000 : 120000);
+    return QTest::qWaitFor(done, qEnvironmentVariableIsSet("DORSUM_SESSION_DEVICE") ? 900000 : kPatience_ms);
   }
   bool Rests() {
     return Until([&] { return !workbench_.jobs().busy() && !workbench_.device().busy(); });

@@ -1582,14 +1582,6 @@
         <source>Keeping the capture</source>
         <translation>Snímek se ukládá</translation>
     </message>
-    <message>
-        <source>Laying something before the device</source>
-        <translation>Před zařízení se něco pokládá</translation>
-    </message>
-    <message>
-        <source>Calibrating the virtual device</source>
-        <translation>Kalibruje se virtuální zařízení</translation>
-    </message>
 </context>
 <context>
     <name>dorsum::ScanPage</name>
@@ -1937,7 +1929,11 @@
     </message>
 </context>
 <context>
-    <name>dorsum::SurfacePage</name>
+    <name>dorsum::SurfaceControls</name>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>Vy&amp;mazat</translation>
+    </message>
     <message>
         <source>Com&amp;pare…</source>
         <translation>Po&amp;rovnat…</translation>
@@ -1945,62 +1941,6 @@
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportovat…</translation>
-    </message>
-    <message>
-        <source>C&amp;lear</source>
-        <translation>Vy&amp;mazat</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Povrch</translation>
-    </message>
-    <message>
-        <source>Drag or arrow keys turn; Shift moves; wheel, + and - zoom; Home shows all; a click or Enter picks a place</source>
-        <translation>Tažení nebo šipky otáčejí; Shift posouvá; kolečko, + a - mění zvětšení; Home ukáže vše; kliknutí nebo Enter vybere místo</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Řez</translation>
-    </message>
-    <message>
-        <source>The cut through the two places</source>
-        <translation>Řez oběma místy</translation>
-    </message>
-    <message>
-        <source>Scale of the colours</source>
-        <translation>Stupnice barev</translation>
-    </message>
-    <message>
-        <source>What was measured</source>
-        <translation>Co bylo změřeno</translation>
-    </message>
-    <message>
-        <source>No surface</source>
-        <translation>Žádný povrch</translation>
-    </message>
-    <message>
-        <source>No surface yet. Scan a hand, open a capture folder or a PLY file, or drop one here.</source>
-        <translation>Zatím žádný povrch. Naskenujte ruku, otevřete složku snímku nebo soubor PLY, nebo je sem přetáhněte.</translation>
-    </message>
-    <message>
-        <source>Image</source>
-        <translation>Obraz</translation>
-    </message>
-    <message>
-        <source>The image with its stripes; a click or Enter picks a stripe, the wheel, + and - zoom, Home shows all</source>
-        <translation>Obraz s laserovými pruhy; kliknutí nebo Enter vybere pruh, kolečko, + a - mění zvětšení, Home ukáže vše</translation>
-    </message>
-    <message>
-        <source>Image that is shown</source>
-        <translation>Zobrazený obraz</translation>
-    </message>
-    <message>
-        <source>Which of the capture&apos;s images, and whose stripes</source>
-        <translation>Který z obrazů snímku a čí laserové pruhy</translation>
-    </message>
-    <message>
-        <source>&amp;Image:</source>
-        <translation>&amp;Obraz:</translation>
     </message>
     <message>
         <source>What is shown</source>
@@ -2063,38 +2003,6 @@
         <translation>&amp;Barvy:</translation>
     </message>
     <message>
-        <source>Compare with another surface</source>
-        <translation>Porovnat s jiným povrchem</translation>
-    </message>
-    <message>
-        <source>Colours show how far this surface lies above or below that of another PLY file</source>
-        <translation>Barvy ukazují, jak vysoko nad povrchem jiného souboru PLY nebo pod ním tento povrch leží</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Write the surface as PLY, OBJ, STL or GLB, or the view as PNG</source>
-        <translation>Zapsat povrch jako PLY, OBJ, STL nebo GLB, nebo pohled jako PNG</translation>
-    </message>
-    <message>
-        <source>Compare with a surface</source>
-        <translation>Porovnat s povrchem</translation>
-    </message>
-    <message>
-        <source>Surfaces (*.ply)</source>
-        <translation>Povrchy (*.ply)</translation>
-    </message>
-    <message>
-        <source>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Picture (*.png)</source>
-        <translation>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Obrázek (*.png)</translation>
-    </message>
-    <message>
-        <source>PLY (*.ply);;Picture (*.png)</source>
-        <translation>PLY (*.ply);;Obrázek (*.png)</translation>
-    </message>
-    <message>
         <source>&amp;Place</source>
         <translation>&amp;Místo</translation>
     </message>
@@ -2127,6 +2035,80 @@
         <translation>Odebrat zvolená místa</translation>
     </message>
     <message>
+        <source>Compare with another surface</source>
+        <translation>Porovnat s jiným povrchem</translation>
+    </message>
+    <message>
+        <source>Colours show how far this surface lies above or below that of another PLY file</source>
+        <translation>Barvy ukazují, jak vysoko nad povrchem jiného souboru PLY nebo pod ním tento povrch leží</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Write the surface as PLY, OBJ, STL or GLB, or the view as PNG</source>
+        <translation>Zapsat povrch jako PLY, OBJ, STL nebo GLB, nebo pohled jako PNG</translation>
+    </message>
+    <message>
+        <source>Difference to %1</source>
+        <translation>Rozdíl od %1</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceFiles</name>
+    <message>
+        <source>Compare with a surface</source>
+        <translation>Porovnat s povrchem</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.ply)</source>
+        <translation>Povrchy (*.ply)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Obrázek (*.png)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;Obrázek (*.png)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Čte se %1</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisuje se %1</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceImage</name>
+    <message>
+        <source>Image</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>The image with its stripes; a click or Enter picks a stripe, the wheel, + and - zoom, Home shows all</source>
+        <translation>Obraz s laserovými pruhy; kliknutí nebo Enter vybere pruh, kolečko, + a - mění zvětšení, Home ukáže vše</translation>
+    </message>
+    <message>
+        <source>Image that is shown</source>
+        <translation>Zobrazený obraz</translation>
+    </message>
+    <message>
+        <source>Which of the capture&apos;s images, and whose stripes</source>
+        <translation>Který z obrazů snímku a čí laserové pruhy</translation>
+    </message>
+    <message>
+        <source>&amp;Image:</source>
+        <translation>&amp;Obraz:</translation>
+    </message>
+    <message>
         <source>All stripes</source>
         <translation>Všechny laserové pruhy</translation>
     </message>
@@ -2138,13 +2120,51 @@
         <source>Laser %1</source>
         <translation>Laser %1</translation>
     </message>
-    <message>
-        <source>Colouring the surface</source>
-        <translation>Povrch se barví</translation>
-    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceMeasurer</name>
     <message>
         <source>Measuring along the surface</source>
         <translation>Měří se po povrchu</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfacePage</name>
+    <message>
+        <source>Surface</source>
+        <translation>Povrch</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn; Shift moves; wheel, + and - zoom; Home shows all; a click or Enter picks a place</source>
+        <translation>Tažení nebo šipky otáčejí; Shift posouvá; kolečko, + a - mění zvětšení; Home ukáže vše; kliknutí nebo Enter vybere místo</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Řez</translation>
+    </message>
+    <message>
+        <source>The cut through the two places</source>
+        <translation>Řez oběma místy</translation>
+    </message>
+    <message>
+        <source>Scale of the colours</source>
+        <translation>Stupnice barev</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Co bylo změřeno</translation>
+    </message>
+    <message>
+        <source>No surface</source>
+        <translation>Žádný povrch</translation>
+    </message>
+    <message>
+        <source>No surface yet. Scan a hand, open a capture folder or a PLY file, or drop one here.</source>
+        <translation>Zatím žádný povrch. Naskenujte ruku, otevřete složku snímku nebo soubor PLY, nebo je sem přetáhněte.</translation>
+    </message>
+    <message>
+        <source>Colouring the surface</source>
+        <translation>Povrch se barví</translation>
     </message>
     <message>
         <source>x %1, y %2, z %3 mm</source>
@@ -2214,18 +2234,6 @@
         <source>Against %1: mean %2 mm, RMS %3 mm; places compared: %L4, outside it: %L5</source>
         <translation>Proti %1: průměr %2 mm, RMS %3 mm; porovnaných míst: %L4, mimo: %L5</translation>
     </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>Čte se %1</translation>
-    </message>
-    <message>
-        <source>Difference to %1</source>
-        <translation>Rozdíl od %1</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Zapisuje se %1</translation>
-    </message>
 </context>
 <context>
     <name>dorsum::SurfaceView</name>
@@ -2239,6 +2247,17 @@
     <message>
         <source>Surface</source>
         <translation>Povrch</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::VirtualSession</name>
+    <message>
+        <source>Laying something before the device</source>
+        <translation>Před zařízení se něco pokládá</translation>
+    </message>
+    <message>
+        <source>Calibrating the virtual device</source>
+        <translation>Kalibruje se virtuální zařízení</translation>
     </message>
 </context>
 <context>
@@ -2728,7 +2747,7 @@
     </message>
     <message>
         <source>side of the mask&apos;s opening, px</source>
-        <translation>strana otevření masky (morfologie), px</translation>
+        <translation>strana okna při otevření masky (morfologie), px</translation>
     </message>
     <message>
         <source>least contrast of the object, 255ths of the background</source>
@@ -2744,7 +2763,7 @@
     </message>
     <message>
         <source>side of the stripe mask&apos;s median, px</source>
-        <translation>strana mediánu masky pruhů, px</translation>
+        <translation>okno mediánového filtru masky pruhů, px</translation>
     </message>
     <message>
         <source>smallest stripe region, px</source>
@@ -2785,6 +2804,1142 @@
     <message>
         <source>no device is open; open one on the Device page, then capture</source>
         <translation>žádné zařízení není otevřené; otevřete je na stránce Zařízení a pak pořiďte snímek</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2; choose a folder that you may write to and that has room</source>
+        <translation>%1 nelze zapsat: %2; zvolte složku, do které smíte zapisovat a ve které je místo</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2; make room or choose a folder that you may write to</source>
+        <translation>%1 nelze zapsat: %2; uvolněte místo, nebo zvolte složku, do které smíte zapisovat</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation>%1 nelze zapsat: %2</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: %2</source>
+        <translation>do %1 nelze zapisovat: %2</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: it is a file, and a folder is needed</source>
+        <translation>do %1 nelze zapisovat: je to soubor a potřebná je složka</translation>
+    </message>
+    <message>
+        <source>cannot write %1: it is a folder; name a file in it</source>
+        <translation>%1 nelze zapsat: je to složka; uveďte soubor v ní</translation>
+    </message>
+    <message>
+        <source>cannot write %1: there is no folder %2; make it, or choose another</source>
+        <translation>%1 nelze zapsat: složka %2 neexistuje; vytvořte ji, nebo zvolte jinou</translation>
+    </message>
+    <message>
+        <source>cannot write the calibration to %1: its report takes that name; name a .json file</source>
+        <translation>kalibraci nelze zapsat do %1: tento název dostane její zpráva; uveďte soubor .json</translation>
+    </message>
+    <message>
+        <source>cannot read %1: %2</source>
+        <translation>%1 nelze přečíst: %2</translation>
+    </message>
+    <message>
+        <source>cannot read the folder %1: %2</source>
+        <translation>složku %1 nelze přečíst: %2</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be read: %2</source>
+        <translation>složku %1 nelze přečíst: %2</translation>
+    </message>
+    <message>
+        <source>cannot make the folder %1: %2</source>
+        <translation>složku %1 nelze vytvořit: %2</translation>
+    </message>
+    <message>
+        <source>cannot rename %1: %2</source>
+        <translation>%1 nelze přejmenovat: %2</translation>
+    </message>
+    <message>
+        <source>cannot remove %1: %2</source>
+        <translation>%1 nelze smazat: %2</translation>
+    </message>
+    <message>
+        <source>cannot replace %1: %2</source>
+        <translation>%1 nelze nahradit: %2</translation>
+    </message>
+    <message>
+        <source>cannot put back %1: %2</source>
+        <translation>%1 nelze vrátit zpět: %2</translation>
+    </message>
+    <message>
+        <source>cannot set the time of %1: %2</source>
+        <translation>čas souboru %1 nelze nastavit: %2</translation>
+    </message>
+    <message>
+        <source>there is no file %1</source>
+        <translation>soubor %1 neexistuje</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 není soubor</translation>
+    </message>
+    <message>
+        <source>%1 is %2 bytes; at most %3 are expected here</source>
+        <translation>%1 má %2 bajtů; zde se čeká nejvýše %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written to</source>
+        <translation>do %1 nelze zapisovat</translation>
+    </message>
+    <message>
+        <source>choose another folder, or ask for the right to write there</source>
+        <translation>zvolte jinou složku, nebo požádejte o právo tam zapisovat</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>přístup odepřen</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>operace není povolena</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>na disku není místo</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>disková kvóta je vyčerpána</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>soubor je příliš velký</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>soubor ani složka neexistuje</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>soubor již existuje</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>je to složka</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>není to složka</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>složka není prázdná</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>název je příliš dlouhý</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>disk je jen pro čtení</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>chyba vstupu nebo výstupu</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>příliš mnoho otevřených souborů</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>síťový disk už není k dispozici</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>právě se používá</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>zařízení už tu není</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>zařízení už tu není</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON; write it again or restore it</source>
+        <translation>%1 není platný JSON; zapište jej znovu, nebo jej obnovte</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON (it holds NaN or Infinity); write it again or restore it</source>
+        <translation>%1 není platný JSON (obsahuje NaN nebo Infinity); zapište jej znovu, nebo jej obnovte</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON; restore it from a copy</source>
+        <translation>%1 není platný JSON; obnovte jej z kopie</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON; calibrate again</source>
+        <translation>%1 není platný JSON; kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>%1: a JSON object is expected</source>
+        <translation>%1: očekává se objekt JSON</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is missing</source>
+        <translation>%1: chybí „%2“</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a number between %3 and %4, not %5</source>
+        <translation>%1: „%2“ musí být číslo mezi %3 a %4, ne %5</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a whole number</source>
+        <translation>%1: „%2“ musí být celé číslo</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a text</source>
+        <translation>%1: „%2“ musí být text</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be true or false</source>
+        <translation>%1: „%2“ musí být true nebo false</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a list of %3 numbers</source>
+        <translation>%1: „%2“ musí být seznam čísel o délce %3</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a list of numbers</source>
+        <translation>%1: „%2“ musí být seznam čísel</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must hold numbers between %3 and %4, not %5</source>
+        <translation>%1: „%2“ musí obsahovat čísla mezi %3 a %4, ne %5</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be an object</source>
+        <translation>%1: „%2“ musí být objekt</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a list of at most %3 entries</source>
+        <translation>%1: „%2“ musí být seznam nejvýše %3 položek</translation>
+    </message>
+    <message>
+        <source>%1 is not a %2 file</source>
+        <translation>%1 není soubor %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a %2 file but a %3 file</source>
+        <translation>%1 není soubor %2, ale soubor %3</translation>
+    </message>
+    <message>
+        <source>%1: &apos;version&apos; is %2, newer than this program reads (%3); use a newer program</source>
+        <translation>%1: „version“ je %2, novější, než tento program čte (%3); použijte novější program</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, řádek %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2; known here: %3</source>
+        <translation>%1: neznámý klíč %2; zde jsou známé: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3; it must be %4</source>
+        <translation>%1: %2 je %3; musí to být %4</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>číslo od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>celé číslo od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>text v uvozovkách</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers from %2 to %3</source>
+        <translation>seznam čísel od %2 do %3 o délce %1</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 numbers from %2 to %3</source>
+        <translation>seznam 1 až %1 čísel od %2 do %3</translation>
+    </message>
+    <message>
+        <source>0 (left as it is) or from %1 to %2</source>
+        <translation>0 (zůstane, jak je) nebo od %1 do %2</translation>
+    </message>
+    <message>
+        <source>0 (none) or from %1 to %2</source>
+        <translation>0 (žádná) nebo od %1 do %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or &quot;%2&quot;</source>
+        <translation>&quot;%1&quot; nebo &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1: %2; write the file again</source>
+        <translation>%1: %2; zapište soubor znovu</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>je useknutý</translation>
+    </message>
+    <message>
+        <source>it is not a PLY file</source>
+        <translation>není to soubor PLY</translation>
+    </message>
+    <message>
+        <source>its format is %1, not binary_little_endian</source>
+        <translation>jeho formát je %1, ne binary_little_endian</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>jeho hlavička je poškozená</translation>
+    </message>
+    <message>
+        <source>its vertices have no property &apos;%1&apos;</source>
+        <translation>jeho vrcholům chybí vlastnost „%1“</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners</source>
+        <translation>ploška má vrcholů: %1</translation>
+    </message>
+    <message>
+        <source>it does not begin with vertices</source>
+        <translation>nezačíná vrcholy</translation>
+    </message>
+    <message>
+        <source>point %1 is not a number</source>
+        <translation>bod %1 není číslo</translation>
+    </message>
+    <message>
+        <source>point %1 has no such laser or order</source>
+        <translation>laser ani řád bodu %1 neexistuje</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not a number</source>
+        <translation>vrchol %1 není číslo</translation>
+    </message>
+    <message>
+        <source>it has faces that are not triangles</source>
+        <translation>má plošky, které nejsou trojúhelníky</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>ploška odkazuje na vrchol, který neexistuje</translation>
+    </message>
+    <message>
+        <source>the surface is empty, so there is no mesh to write to %1</source>
+        <translation>povrch je prázdný, takže do %1 není jakou síť zapsat</translation>
+    </message>
+    <message>
+        <source>the view could not be made a picture</source>
+        <translation>z pohledu nelze udělat obrázek</translation>
+    </message>
+    <message>
+        <source>the two places lie on parts of the surface that do not touch; choose two on one part</source>
+        <translation>obě místa leží na částech povrchu, které se nedotýkají; zvolte dvě na jedné části</translation>
+    </message>
+    <message>
+        <source>the two places stand one above the other; choose two that lie side by side</source>
+        <translation>obě místa leží nad sebou; zvolte dvě vedle sebe</translation>
+    </message>
+    <message>
+        <source>the camera %1</source>
+        <translation>kamera %1</translation>
+    </message>
+    <message>
+        <source>the stream %1</source>
+        <translation>videoproud %1</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>záznam %1</translation>
+    </message>
+    <message>
+        <source>light controller on %1</source>
+        <translation>řízení světel na %1</translation>
+    </message>
+    <message>
+        <source>there is no camera under /dev/video; connect one, or set camera.source</source>
+        <translation>pod /dev/video není žádná kamera; připojte ji, nebo nastavte camera.source</translation>
+    </message>
+    <message>
+        <source>none of the cameras can be used: %1 %2</source>
+        <translation>žádnou z kamer nelze použít: %1 %2</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1; add yourself to the group &quot;video&quot; (sudo usermod -aG video $USER) and log in again</source>
+        <translation>nelze otevřít: %1; přidejte se do skupiny &quot;video&quot; (sudo usermod -aG video $USER) a znovu se přihlaste</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1; close the other program that uses it</source>
+        <translation>nelze otevřít: %1; zavřete jiný program, který ji používá</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1; unplug it and plug it in</source>
+        <translation>nelze otevřít: %1; odpojte ji a znovu zapojte</translation>
+    </message>
+    <message>
+        <source>does not answer as a camera; unplug it and plug it in</source>
+        <translation>neodpovídá jako kamera; odpojte ji a znovu zapojte</translation>
+    </message>
+    <message>
+        <source>the camera source &quot;%1&quot; is none: give a number, /dev/videoN, http://…, a video file or a folder that exists, or virtual[:SEED]</source>
+        <translation>zdroj kamery &quot;%1&quot; neexistuje: zadejte číslo, /dev/videoN, http://…, soubor videa nebo složku, které existují, nebo virtual[:SEED]</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2; add yourself to the group &quot;video&quot; and log in again</source>
+        <translation>%1 nelze otevřít: %2; přidejte se do skupiny &quot;video&quot; a znovu se přihlaste</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2; close the other program that uses it</source>
+        <translation>%1 nelze otevřít: %2; zavřete jiný program, který ji používá</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2; check that it is connected</source>
+        <translation>%1 nelze otevřít: %2; zkontrolujte, zda je připojena</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check that it is connected</source>
+        <translation>%1 nelze otevřít; zkontrolujte připojení</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened as a camera; close other programs that use it, or choose another one with camera.source</source>
+        <translation>%1 nelze otevřít jako kameru; zavřete jiné programy, které ji používají, nebo zvolte jinou pomocí camera.source</translation>
+    </message>
+    <message>
+        <source>%1 is no video that can be read, or it is damaged; record it again</source>
+        <translation>%1 není čitelné video, nebo je poškozený; nahrajte jej znovu</translation>
+    </message>
+    <message>
+        <source>%1 did not answer within %2; check the address, and that the camera is on and in the network</source>
+        <translation>%1 neodpověděl do %2; zkontrolujte adresu a zda je kamera zapnutá a v síti</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check the address, and that the camera is on and in the network</source>
+        <translation>%1 nelze otevřít; zkontrolujte adresu a zda je kamera zapnutá a v síti</translation>
+    </message>
+    <message>
+        <source>%1 is gone; check its cable and plug it in again</source>
+        <translation>%1 už tu není; zkontrolujte kabel a znovu jej zapojte</translation>
+    </message>
+    <message>
+        <source>%1 is gone; check that the camera is on and connected, and start again</source>
+        <translation>%1 už tu není; zkontrolujte, zda je kamera zapnutá a připojená, a začněte znovu</translation>
+    </message>
+    <message>
+        <source>%1 was closed by the other side; check that the camera is on and connected, and start again</source>
+        <translation>%1 zavřela protější strana; zkontrolujte, zda je kamera zapnutá a připojená, a začněte znovu</translation>
+    </message>
+    <message>
+        <source>%1 stopped sending pictures: none came for %2; check its cable and plug it in again</source>
+        <translation>%1 přestala posílat obrazy: %2 žádný nepřišel; zkontrolujte kabel a znovu jej zapojte</translation>
+    </message>
+    <message>
+        <source>%1 is cut off after %2 frames of %3; copy or record it again</source>
+        <translation>%1 je useknutý: z %3 snímků je jich tu %2; zkopírujte nebo nahrajte jej znovu</translation>
+    </message>
+    <message>
+        <source>%1 is cut off after 1 frame of %2; copy or record it again</source>
+        <translation>%1 je useknutý: z %2 snímků je tu 1; zkopírujte nebo nahrajte jej znovu</translation>
+    </message>
+    <message>
+        <source>%1 has ended after %2 frames; record more, or begin again</source>
+        <translation>%1 skončil, počet snímků: %2; nahrajte více, nebo začněte znovu</translation>
+    </message>
+    <message>
+        <source>%1 has ended after 1 frame; record more, or begin again</source>
+        <translation>%1 skončil po 1 snímku; nahrajte více, nebo začněte znovu</translation>
+    </message>
+    <message>
+        <source>%1 has no more images after %2; record more, or begin again</source>
+        <translation>%1 po %2 nemá další obrazy; nahrajte více, nebo začněte znovu</translation>
+    </message>
+    <message>
+        <source>there is no PNG or JPEG image in %1 to take for a camera&apos;s</source>
+        <translation>v %1 není obraz PNG ani JPEG, který by se dal vzít místo kamery</translation>
+    </message>
+    <message>
+        <source>%1 has no picture under these lights together</source>
+        <translation>%1 nemá obraz s těmito světly zároveň</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2; start again</source>
+        <translation>%1 selhala: %2; začněte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or cut off at frame %2, counted from 0; copy or record it again</source>
+        <translation>%1 je u snímku %2, počítáno od 0, poškozený nebo useknutý; zkopírujte nebo nahrajte jej znovu</translation>
+    </message>
+    <message>
+        <source>%1 sends damaged pictures only; check its cable, or choose a lower resolution or another stream_format</source>
+        <translation>%1 posílá jen poškozené obrazy; zkontrolujte kabel, nebo zvolte menší rozlišení nebo jiný stream_format</translation>
+    </message>
+    <message>
+        <source>%1 sends pictures of %2 pixels, but %3 is expected; set camera.resolution_px to what it can do</source>
+        <translation>%1 posílá obrazy s %2 pixely, ale čeká se %3; nastavte camera.resolution_px na to, co umí</translation>
+    </message>
+    <message>
+        <source>%1 sent a picture of %2 pixels instead of %3; start again</source>
+        <translation>%1 poslala obraz s %2 pixely místo %3; začněte znovu</translation>
+    </message>
+    <message>
+        <source>%1 gave no picture within %2; check that it is connected and that no other program uses it</source>
+        <translation>%1 nedala do %2 žádný obraz; zkontrolujte, zda je připojena a žádný jiný program ji nepoužívá</translation>
+    </message>
+    <message>
+        <source>%1 sent no picture within %2; check that it is connected and that no other program uses it</source>
+        <translation>%1 neposlala do %2 žádný obraz; zkontrolujte, zda je připojena a žádný jiný program ji nepoužívá</translation>
+    </message>
+    <message>
+        <source>%1 sent no picture within %2; check that it is connected</source>
+        <translation>%1 neposlala do %2 žádný obraz; zkontrolujte, zda je připojena</translation>
+    </message>
+    <message>
+        <source>%1 sent only %2 picture(s) after the light changed, within %3; it is too slow: shorten the exposure or give it more time</source>
+        <translation>%1 poslala po změně světla do %3 jen tolik obrazů: %2; je příliš pomalá: zkraťte expozici, nebo jí dejte více času</translation>
+    </message>
+    <message>
+        <source>%1 is frozen: it sends the same picture again and again; unplug it and plug it in</source>
+        <translation>%1 zamrzla: posílá stále stejný obraz; odpojte ji a znovu zapojte</translation>
+    </message>
+    <message>
+        <source>%1 hangs: its exposure cannot be set; plug it in again</source>
+        <translation>%1 se zasekla: expozici nelze nastavit; zapojte ji znovu</translation>
+    </message>
+    <message>
+        <source>the picture of %1 did not settle within %2: frames still differ by %3 grey levels; keep the hand still, shade other lights, and set a fixed exposure (camera.laser_exposure_s and led_exposure_s)</source>
+        <translation>obraz se do %2 neustálil (%1): snímky se stále liší o %3 stupňů šedi; držte ruku v klidu, zastiňte jiná světla a nastavte pevnou expozici (camera.laser_exposure_s a led_exposure_s)</translation>
+    </message>
+    <message>
+        <source>the camera did not take %1 %2; it is %3</source>
+        <translation>kamera nepřijala %1 %2; je to %3</translation>
+    </message>
+    <message>
+        <source>the camera did not take %1 %2: it has no such control</source>
+        <translation>kamera nepřijala %1 %2; toto nastavení nemá</translation>
+    </message>
+    <message>
+        <source>the camera chooses its exposure itself, so pictures may not be comparable; set camera.laser_exposure_s and camera.led_exposure_s</source>
+        <translation>kamera si volí expozici sama, takže obrazy nemusí být srovnatelné; nastavte camera.laser_exposure_s a camera.led_exposure_s</translation>
+    </message>
+    <message>
+        <source>cameras need %1, which is missing or cannot be loaded; install Dorsum again, with OpenCV&apos;s videoio</source>
+        <translation>kamery potřebují %1, který chybí nebo jej nelze načíst; nainstalujte Dorsum znovu, s videoio z OpenCV</translation>
+    </message>
+    <message>
+        <source>there is no port %1; plug the light controller in, or correct controller.port in the device description</source>
+        <translation>port %1 neexistuje; připojte řízení světel, nebo opravte controller.port v popisu zařízení</translation>
+    </message>
+    <message>
+        <source>no permission to use %1; join the group dialout (sudo usermod -aG dialout $USER, then log in anew) or add the udev rule of docs/light-controller.md</source>
+        <translation>chybí oprávnění používat %1; přidejte se do skupiny dialout (sudo usermod -aG dialout $USER, pak se znovu přihlaste), nebo přidejte pravidlo udev z docs/light-controller.md</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program; close that first</source>
+        <translation>%1 používá jiný program; nejprve jej zavřete</translation>
+    </message>
+    <message>
+        <source>%1 is no serial port; name the light controller&apos;s as controller.port</source>
+        <translation>%1 není sériový port; jako controller.port uveďte port řízení světel</translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2; unplug the light controller and plug it in again</source>
+        <translation>%1 nelze otevřít: %2; odpojte řízení světel a znovu je zapojte</translation>
+    </message>
+    <message>
+        <source>no serial port runs at %1 baud; set controller.baud to 115200, the firmware&apos;s</source>
+        <translation>žádný sériový port neběží na %1 baudech; nastavte controller.baud na 115200 jako firmware</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 is gone; check its cable and plug it in again, then start over</source>
+        <translation>řízení světel na %1 už tu není; zkontrolujte kabel, znovu jej zapojte a pak začněte znovu</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 speaks protocol %2 (firmware %3), this program protocol %4; flash the firmware that belongs to this program (scripts/firmware)</source>
+        <translation>řízení světel na %1 mluví protokolem %2 (firmware %3), tento program protokolem %4; nahrajte firmware, který patří k tomuto programu (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>what is on %1 talks, but not as a light controller; check controller.port and controller.baud, or flash the firmware (scripts/firmware)</source>
+        <translation>co je na %1, odpovídá, ale ne jako řízení světel; zkontrolujte controller.port a controller.baud, nebo nahrajte firmware (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>no answer from a light controller on %1; check controller.port, cable and power, or flash the firmware (scripts/firmware)</source>
+        <translation>žádná odpověď řízení světel na %1; zkontrolujte controller.port, kabel a napájení, nebo nahrajte firmware (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 has restarted in the middle, which switched its lights off; check its power and cable</source>
+        <translation>řízení světel na %1 se uprostřed restartovalo, čímž světla zhasla; zkontrolujte napájení a kabel</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 does not answer any more; check its cable and power, then start over</source>
+        <translation>řízení světel na %1 už neodpovídá; zkontrolujte kabel a napájení a pak začněte znovu</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 has firmware of %2 logic, but the device description says %3; flash the other firmware or correct the description (docs/light-controller.md)</source>
+        <translation>firmware řízení světel na %1 má logiku %2, ale popis zařízení uvádí %3; nahrajte druhý firmware, nebo opravte popis (docs/light-controller.md)</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 does not tell its limits; flash the firmware that belongs to this program (scripts/firmware)</source>
+        <translation>řízení světel na %1 neuvádí své meze; nahrajte firmware, který patří k tomuto programu (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>there is no serial port of a USB device; plug the light controller in, or name its port as controller.port in the device description</source>
+        <translation>není tu žádný sériový port USB zařízení; připojte řízení světel, nebo uveďte jeho port jako controller.port v popisu zařízení</translation>
+    </message>
+    <message>
+        <source>no light controller on any of %1 (%2)</source>
+        <translation>řízení světel není na žádném z %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the device description asks for channel %1, but the %2 has 0 to %3; correct the channels in the device description</source>
+        <translation>popis zařízení žádá kanál %1, ale jsou jen 0 až %3 (%2); opravte kanály v popisu zařízení</translation>
+    </message>
+    <message>
+        <source>the %1 found channel %2 not held off by its resistor when it started, so it does not drive it; check the wiring, and that the firmware&apos;s logic is the circuit&apos;s (docs/light-controller.md)</source>
+        <translation>kanál %2 při startu nedržel vypnutý jeho odpor, proto se nespíná (%1); zkontrolujte zapojení a zda logika firmwaru odpovídá obvodu (docs/light-controller.md)</translation>
+    </message>
+    <message>
+        <source>the %1 did not switch its lights as it was told (%2); check its cable and power</source>
+        <translation>světla nebyla přepnuta, jak bylo žádáno (%1, %2); zkontrolujte kabel a napájení</translation>
+    </message>
+    <message>
+        <source>the %1 switched its lights off while a picture was taken; it was reset, or its time limit is shorter than the camera needs</source>
+        <translation>světla zhasla během snímání (%1); došlo k restartu, nebo je časová mez kratší, než kamera potřebuje</translation>
+    </message>
+    <message>
+        <source>see the report beside %1</source>
+        <translation>viz zprávu vedle %1</translation>
+    </message>
+    <message>
+        <source>set it in device.toml to what the camera can do</source>
+        <translation>nastavte to v device.toml na to, co kamera umí</translation>
+    </message>
+    <message>
+        <source>%1 can be used</source>
+        <translation>%1 lze použít</translation>
+    </message>
+    <message>
+        <source>sudo usermod -aG dialout $USER, then log in again</source>
+        <translation>sudo usermod -aG dialout $USER, pak se znovu přihlaste</translation>
+    </message>
+    <message>
+        <source>%1, firmware %2: all off after %3 s without a word from here, a laser after %4 s</source>
+        <translation>%1, firmware %2: vše zhasne po %3 s bez zprávy odtud, laser po %4 s</translation>
+    </message>
+    <message>
+        <source>%1, %2 x %3 pixels</source>
+        <translation>%1, %2 x %3 pixelů</translation>
+    </message>
+    <message>
+        <source>there is no calibration folder %1</source>
+        <translation>kalibrační složka %1 neexistuje</translation>
+    </message>
+    <message>
+        <source>there is no capture folder %1</source>
+        <translation>složka snímku %1 neexistuje</translation>
+    </message>
+    <message>
+        <source>there is no image stripesHand0, stripesHand1, … in %1</source>
+        <translation>v %1 není obraz stripesHand0, stripesHand1, …</translation>
+    </message>
+    <message>
+        <source>there is no setup.json in %1; it says what the chessboard and the boxes measure</source>
+        <translation>v %1 není setup.json; říká, jaké rozměry mají šachovnice a kvádry</translation>
+    </message>
+    <message>
+        <source>the image %1 (.jpg or .png) is missing in %2</source>
+        <translation>obraz %1 (.jpg nebo .png) chybí v %2</translation>
+    </message>
+    <message>
+        <source>%1: the background image</source>
+        <translation>%1: obraz pozadí</translation>
+    </message>
+    <message>
+        <source>%1 is %2 pixels, more than any camera here has; capture it again</source>
+        <translation>%1 má %2 pixelů, více než kterákoli zdejší kamera; pořiďte jej znovu</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bits per channel; 8 are expected, so save it as 8 bit</source>
+        <translation>%1 má %2 bitů na kanál; čeká se 8, uložte jej tedy jako 8bitový</translation>
+    </message>
+    <message>
+        <source>%1 is a grey image; the stripes are read from the green channel, so capture it in colour</source>
+        <translation>%1 je šedý obraz; pruhy se čtou ze zeleného kanálu, pořiďte jej tedy barevně</translation>
+    </message>
+    <message>
+        <source>%1 is not a plain colour image; the stripes are read from the green channel, so capture it in colour</source>
+        <translation>%1 není prostý barevný obraz; pruhy se čtou ze zeleného kanálu, pořiďte jej tedy barevně</translation>
+    </message>
+    <message>
+        <source>%1 is %2 pixels, but %3 is expected; use images of one camera at one resolution</source>
+        <translation>%1 má %2 pixelů, ale čeká se %3; použijte obrazy jedné kamery v jednom rozlišení</translation>
+    </message>
+    <message>
+        <source>%1 is cut off: its end is missing; copy or capture it again</source>
+        <translation>%1 je useknutý: chybí konec; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is damaged; copy or capture it again</source>
+        <translation>%1 je poškozený; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged PNG; copy or capture it again</source>
+        <translation>%1 je poškozený PNG; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged JPEG; copy or capture it again</source>
+        <translation>%1 je poškozený JPEG; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is empty; copy or capture it again</source>
+        <translation>%1 je prázdný; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is neither a PNG nor a JPEG image; copy or capture it again</source>
+        <translation>%1 není obraz PNG ani JPEG; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 cannot be decoded; copy or capture it again</source>
+        <translation>%1 nelze dekódovat; zkopírujte jej znovu, nebo jej pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 is black; check the light and the exposure</source>
+        <translation>%1 je černý; zkontrolujte světlo a expozici</translation>
+    </message>
+    <message>
+        <source>%1 is white all over; lower the exposure</source>
+        <translation>%1 je celý bílý; snižte expozici</translation>
+    </message>
+    <message>
+        <source>with all lights off %1 of the picture is brighter than it may be; shade the device from daylight, or shorten the camera&apos;s exposure</source>
+        <translation>při zhasnutých světlech je %1 obrazu jasnějších, než smí být; zastiňte zařízení před denním světlem, nebo zkraťte expozici kamery</translation>
+    </message>
+    <message>
+        <source>the LEDs light too little of the picture; check their supply and channel, or expose longer</source>
+        <translation>LED osvětlují příliš málo obrazu; zkontrolujte jejich napájení a kanál, nebo exponujte déle</translation>
+    </message>
+    <message>
+        <source>%1 of the picture under the LEDs is overexposed; shorten the camera&apos;s exposure under the LEDs, or dim them</source>
+        <translation>%1 obrazu pod LED je přeexponováno; zkraťte expozici kamery pod LED, nebo je ztlumte</translation>
+    </message>
+    <message>
+        <source>laser %1 does not light up; check its supply, its cable and its channel</source>
+        <translation>laser %1 nesvítí; zkontrolujte jeho napájení, kabel a kanál</translation>
+    </message>
+    <message>
+        <source>%1 of the picture under laser %2 is overexposed; shorten the camera&apos;s exposure for the lasers</source>
+        <translation>%1 obrazu pod laserem %2 je přeexponováno; zkraťte expozici kamery pro lasery</translation>
+    </message>
+    <message>
+        <source>the pictures of lasers %1 and %2 show the same stripes; check their cables, and that their channels in device.toml differ</source>
+        <translation>obrazy laserů %1 a %2 ukazují stejné pruhy; zkontrolujte jejich kabely a zda se jejich kanály v device.toml liší</translation>
+    </message>
+    <message>
+        <source>laser %1 was lit in place of laser %2: its cable is plugged elsewhere than when the device was calibrated, or a laser&apos;s channel in device.toml is wrong</source>
+        <translation>laser %1 svítil místo laseru %2: kabel je zapojen jinam než při kalibraci zařízení, nebo je kanál laseru v device.toml špatně</translation>
+    </message>
+    <message>
+        <source>the hand moved by %1 while it was captured; rest it on the backplane and capture again</source>
+        <translation>ruka se během snímání pohnula o %1; položte ji v klidu na podložku a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>the hand moved by %1 while it was captured</source>
+        <translation>ruka se během snímání pohnula o %1</translation>
+    </message>
+    <message>
+        <source>the hand leaves the picture at more than one place; move it to the middle, so that only the wrist runs out</source>
+        <translation>ruka vybíhá z obrazu na více místech; posuňte ji doprostřed, aby ven vedlo jen zápěstí</translation>
+    </message>
+    <message>
+        <source>the device has no laser %1: its lasers are 0 to %2</source>
+        <translation>zařízení nemá laser %1: jeho lasery jsou 0 až %2</translation>
+    </message>
+    <message>
+        <source>%1 is there already and not empty; name a new folder</source>
+        <translation>%1 již existuje a není prázdná; uveďte novou složku</translation>
+    </message>
+    <message>
+        <source>%1 is of a camera of %2 pixels, the device&apos;s has %3; calibrate this device</source>
+        <translation>%1 patří ke kameře s %2 pixely, kamera zařízení má %3; kalibrujte toto zařízení</translation>
+    </message>
+    <message>
+        <source>%1 is of another device or board than %2; go on with that device, or name a new folder</source>
+        <translation>%1 patří k jinému zařízení nebo šachovnici než %2; pokračujte s oním zařízením, nebo uveďte novou složku</translation>
+    </message>
+    <message>
+        <source>no hand is seen in bgHand: it looks like the empty background; put the hand down and capture again</source>
+        <translation>v bgHand není vidět ruka: vypadá jako prázdné pozadí; položte ruku a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>bgHand differs from the background nearly everywhere; the light or the camera changed since the calibration, so calibrate again</source>
+        <translation>bgHand se od pozadí liší téměř všude; světlo nebo kamera se od kalibrace změnily, kalibrujte tedy znovu</translation>
+    </message>
+    <message>
+        <source>no object is seen: a few stripes seem to lie on one, but make no outline together with bgHand; put the hand down and capture again</source>
+        <translation>není vidět žádný objekt: několik pruhů na něm snad leží, ale s bgHand nedávají obrys; položte ruku a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>the object seems to fill the picture, so its outline is not seen; look whether bgHand and the stripes are of one capture and the calibration is this device&apos;s</source>
+        <translation>objekt zřejmě vyplňuje obraz, takže není vidět jeho obrys; ověřte, zda bgHand a pruhy jsou z jednoho snímku a kalibrace je z tohoto zařízení</translation>
+    </message>
+    <message>
+        <source>only shadow is seen in bgHand: the object is as bright as the backplane, or it is gone; cover a white object with something darker and capture again</source>
+        <translation>v bgHand je vidět jen stín: objekt je stejně jasný jako podložka, nebo zmizel; bílý objekt zakryjte něčím tmavším a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>the stripes of laser %1 lie %2 px beside their places on the backplane: camera, laser or backplane moved since the calibration; calibrate again</source>
+        <translation>pruhy laseru %1 leží %2 px vedle svých míst na podložce: kamera, laser nebo podložka se od kalibrace pohnuly; kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>no stripe is seen on the object; are the lasers on, and is the capture of this device?</source>
+        <translation>na objektu není vidět žádný pruh; svítí lasery a je snímek z tohoto zařízení?</translation>
+    </message>
+    <message>
+        <source>the calibration is for images of %1, but the capture has %2; use the calibration of this camera and resolution</source>
+        <translation>kalibrace je pro obrazy %1, ale snímek má %2; použijte kalibraci této kamery a rozlišení</translation>
+    </message>
+    <message>
+        <source>the calibration holds no %1 sheets for laser %2; calibrate with --method %3, or reconstruct with --sheets %4</source>
+        <translation>kalibrace neobsahuje světelné plochy %1 pro laser %2; kalibrujte s --method %3, nebo rekonstruujte s --sheets %4</translation>
+    </message>
+    <message>
+        <source>the stripes shine as those of other orders do, so the object reaches out of the working volume of %1 to %2 mm; place it lower and capture again</source>
+        <translation>pruhy září jako pruhy jiných řádů, objekt tedy přesahuje pracovní prostor od %1 do %2 mm; umístěte jej níže a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>the lasers put the object at heights that differ by %1 mm: it reaches out of the working volume of %2 to %3 mm, or moved while it was captured; place it lower and capture again</source>
+        <translation>lasery kladou objekt do výšek, které se liší o %1 mm: přesahuje pracovní prostor od %2 do %3 mm, nebo se během snímání pohnul; umístěte jej níže a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>the lasers see the object at places that differ by %1 mm: it moved while it was captured, or reaches out of the working volume of %2 to %3 mm; place it lower, keep still and capture again</source>
+        <translation>lasery vidí objekt na místech, která se liší o %1 mm: během snímání se pohnul, nebo přesahuje pracovní prostor od %2 do %3 mm; umístěte jej níže, držte jej v klidu a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>the object moved by about %1 mm while it was captured, since the lasers see it at different places; keep still and capture again</source>
+        <translation>objekt se během snímání pohnul asi o %1 mm, neboť jej lasery vidí na různých místech; držte jej v klidu a snímejte znovu</translation>
+    </message>
+    <message>
+        <source>stages are shown of a capture with its calibration; take one, or open its folder</source>
+        <translation>kroky se zobrazují pro snímek s jeho kalibrací; pořiďte jej, nebo otevřete jeho složku</translation>
+    </message>
+    <message>
+        <source>%1: the camera&apos;s matrix or pose is not one of a camera above the backplane</source>
+        <translation>%1: matice nebo poloha kamery neodpovídá kameře nad podložkou</translation>
+    </message>
+    <message>
+        <source>%1: laser %2 has no light sheets; calibrate again</source>
+        <translation>%1: laser %2 nemá světelné plochy; kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>%1: the working volume&apos;s bottom is not below its top</source>
+        <translation>%1: dno pracovního prostoru není pod jeho vrchem</translation>
+    </message>
+    <message>
+        <source>%1: the lasers are not in ascending order</source>
+        <translation>%1: lasery nejsou ve vzestupném pořadí</translation>
+    </message>
+    <message>
+        <source>%1 holds no laser; calibrate again</source>
+        <translation>%1 neobsahuje žádný laser; kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>%1: the background image is damaged; calibrate again</source>
+        <translation>%1: obraz pozadí je poškozený; kalibrujte znovu</translation>
+    </message>
+    <message>
+        <source>no chessboard of %1 inner corners is seen in %2, which fixes the world; capture it again or correct setup.json</source>
+        <translation>v %2, který určuje souřadnice světa, není vidět šachovnice s %1 vnitřními rohy; pořiďte jej znovu, nebo opravte setup.json</translation>
+    </message>
+    <message>
+        <source>no chessboard of %1 inner corners is seen in %2; capture it again or correct setup.json</source>
+        <translation>v %2 není vidět šachovnice s %1 vnitřními rohy; pořiďte jej znovu, nebo opravte setup.json</translation>
+    </message>
+    <message>
+        <source>a chessboard is seen in only %1 of %2 views; at least %3 are needed, so capture the chessboards again</source>
+        <translation>šachovnice je vidět jen v %1 z %2 pohledů; potřeba je nejméně %3, pořiďte tedy šachovnice znovu</translation>
+    </message>
+    <message>
+        <source>the chessboard views do not determine the camera; capture them again with the board tilted differently in each</source>
+        <translation>pohledy na šachovnici kameru neurčují; pořiďte je znovu s šachovnicí pokaždé jinak nakloněnou</translation>
+    </message>
+    <message>
+        <source>the chessboard lies alike in all views, which leaves the focal length open; capture chess00, chess01, … again with the board tilted differently in each</source>
+        <translation>šachovnice leží ve všech pohledech stejně, takže ohnisková vzdálenost zůstává neurčená; pořiďte chess00, chess01, … znovu s šachovnicí pokaždé jinak nakloněnou</translation>
+    </message>
+    <message>
+        <source>the stripes and chessboards do not determine the device; capture the series again</source>
+        <translation>pruhy a šachovnice zařízení neurčují; pořiďte sérii znovu</translation>
+    </message>
+    <message>
+        <source>only %1 whole stripes of laser %2 are seen in %3; capture it again with a longer exposure</source>
+        <translation>v %3 je vidět jen %1 celých pruhů laseru %2; pořiďte jej znovu s delší expozicí</translation>
+    </message>
+    <message>
+        <source>the central stripe of laser %1 is not seen in %2; capture it again</source>
+        <translation>prostřední pruh laseru %1 není v %2 vidět; pořiďte jej znovu</translation>
+    </message>
+    <message>
+        <source>no drawn lines are seen in laserFirstEstimates; capture the laser calibration plane again</source>
+        <translation>v laserFirstEstimates nejsou vidět nakreslené čáry; pořiďte laserovou kalibrační rovinu znovu</translation>
+    </message>
+    <message>
+        <source>no stripes are seen in %1; is laser %2 on and the exposure right? Capture it again</source>
+        <translation>v %1 nejsou vidět pruhy; svítí laser %2 a je expozice správná? Pořiďte jej znovu</translation>
+    </message>
+    <message>
+        <source>only %1 stripes are seen in %2; is laser %3 on and the exposure long enough?</source>
+        <translation>v %2 je vidět jen %1 pruhů; svítí laser %3 a je expozice dost dlouhá?</translation>
+    </message>
+    <message>
+        <source>only %1 stripes of laser %2 are seen on the backplane; capture %3 again with a longer exposure</source>
+        <translation>na podložce je vidět jen %1 pruhů laseru %2; pořiďte %3 znovu s delší expozicí</translation>
+    </message>
+    <message>
+        <source>only %1 stripes of laser %2 are seen on the calibration object; capture %3 again with a longer exposure</source>
+        <translation>na kalibračním tělese je vidět jen %1 pruhů laseru %2; pořiďte %3 znovu s delší expozicí</translation>
+    </message>
+    <message>
+        <source>fewer than three stripes of laser %1 are seen at both distances; capture %2 and %3 again</source>
+        <translation>v obou vzdálenostech jsou vidět méně než tři pruhy laseru %1; pořiďte %2 a %3 znovu</translation>
+    </message>
+    <message>
+        <source>the stripes of laser %1 are not closer together on the calibration object than on the backplane; are the Closer and Further images swapped?</source>
+        <translation>pruhy laseru %1 nejsou na kalibračním tělese blíže u sebe než na podložce; nejsou obrazy Closer a Further zaměněné?</translation>
+    </message>
+    <message>
+        <source>the stripes of laser %1 on the backplane and on the calibration object do not belong to one grating; are the Closer and Further images swapped?</source>
+        <translation>pruhy laseru %1 na podložce a na kalibračním tělese nepatří k jedné mřížce; nejsou obrazy Closer a Further zaměněné?</translation>
+    </message>
+    <message>
+        <source>too few points on the boxes under heights/ to fit the error correction</source>
+        <translation>na kvádrech v heights/ je příliš málo bodů pro výpočet korekce chyb</translation>
+    </message>
+    <message>
+        <source>the boxes under heights/ do not determine the error correction; at least three heights are needed</source>
+        <translation>kvádry v heights/ neurčují korekci chyb; potřeba jsou nejméně tři výšky</translation>
+    </message>
+    <message>
+        <source>only a virtual device calibrates by itself; use the calibrate page</source>
+        <translation>sama se kalibruje jen virtuální zařízení; použijte stránku Kalibrace</translation>
+    </message>
+    <message>
+        <source>this device is not virtual</source>
+        <translation>toto zařízení není virtuální</translation>
+    </message>
+    <message>
+        <source>there is no campaign in %1; dorsum campaign new makes one</source>
+        <translation>v %1 není kampaň; vytvoří ji dorsum campaign new</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign already; add to it, or choose another folder</source>
+        <translation>%1 už kampaní je; přidávejte do ní, nebo zvolte jinou složku</translation>
+    </message>
+    <message>
+        <source>%1 is not an empty folder; choose another one for the campaign</source>
+        <translation>%1 není prázdná složka; zvolte pro kampaň jinou</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign already, and another one than asked for; choose another folder, or ask for the same device, seed, people and plan to go on with it</source>
+        <translation>%1 už kampaní je, a jinou než žádanou; zvolte jinou složku, nebo žádejte stejné zařízení, semínko, osoby a plán, abyste v ní pokračovali</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign of virtual people; make another for real ones</source>
+        <translation>%1 je kampaň virtuálních osob; pro skutečné vytvořte jinou</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign of real people; virtual ones have their own</source>
+        <translation>%1 je kampaň skutečných osob; virtuální mají vlastní</translation>
+    </message>
+    <message>
+        <source>this campaign&apos;s virtual device is described by a file; go on with dorsum campaign new, --virtual and --device</source>
+        <translation>virtuální zařízení této kampaně popisuje soubor; pokračujte s dorsum campaign new, --virtual a --device</translation>
+    </message>
+    <message>
+        <source>a campaign&apos;s name has 1 to 100 characters, all of them printable</source>
+        <translation>název kampaně má 1 až 100 znaků, všechny tisknutelné</translation>
+    </message>
+    <message>
+        <source>a person&apos;s id is 1 to 32 letters a to z, digits, - and _, with at least one digit and neither - nor _ in front: p01, never a name</source>
+        <translation>identifikátor osoby je 1 až 32 písmen a až z, číslic, - a _, s nejméně jednou číslicí a bez - či _ na začátku: p01, nikdy jméno</translation>
+    </message>
+    <message>
+        <source>the consent date must be a day that exists, as 2024-05-31; without consent nothing is stored</source>
+        <translation>datum souhlasu musí být existující den, jako 2024-05-31; bez souhlasu se nic neuloží</translation>
+    </message>
+    <message>
+        <source>the consent date %1 is before 1990</source>
+        <translation>datum souhlasu %1 je před rokem 1990</translation>
+    </message>
+    <message>
+        <source>the consent date %1 lies in the future (today is %2); without consent nothing is stored</source>
+        <translation>datum souhlasu %1 je v budoucnosti (dnes je %2); bez souhlasu se nic neuloží</translation>
+    </message>
+    <message>
+        <source>there is no person %1 in %2; add the person first, with the date of the consent</source>
+        <translation>osoba %1 v %2 není; nejprve ji přidejte, s datem souhlasu</translation>
+    </message>
+    <message>
+        <source>there is no person %1 in %2 to correct</source>
+        <translation>osoba %1, kterou by bylo možné opravit, v %2 není</translation>
+    </message>
+    <message>
+        <source>there is no person %1 in %2</source>
+        <translation>osoba %1 v %2 není</translation>
+    </message>
+    <message>
+        <source>there is a person %1 in %2 already; choose another id</source>
+        <translation>osoba %1 v %2 již je; zvolte jiný identifikátor</translation>
+    </message>
+    <message>
+        <source>the person %1 was removed meanwhile; nothing was stored</source>
+        <translation>osoba %1 byla mezitím odebrána; nic nebylo uloženo</translation>
+    </message>
+    <message>
+        <source>the campaign&apos;s plan has no left hands</source>
+        <translation>plán kampaně nemá levé ruce</translation>
+    </message>
+    <message>
+        <source>the campaign&apos;s plan has no right hands</source>
+        <translation>plán kampaně nemá pravé ruce</translation>
+    </message>
+    <message>
+        <source>the campaign&apos;s plan has sessions 1 to %1, not %2</source>
+        <translation>plán kampaně má sezení 1 až %1, ne %2</translation>
+    </message>
+    <message>
+        <source>the left hand of %1 has all %2 captures of session %3 already</source>
+        <translation>levá ruka osoby %1 už má všechny snímky (%2) sezení %3</translation>
+    </message>
+    <message>
+        <source>the right hand of %1 has all %2 captures of session %3 already</source>
+        <translation>pravá ruka osoby %1 už má všechny snímky (%2) sezení %3</translation>
+    </message>
+    <message>
+        <source>the left hand of %1 has all %2 captures of session %3; name the next session with --session</source>
+        <translation>levá ruka osoby %1 má všechny snímky (%2) sezení %3; uveďte další sezení pomocí --session</translation>
+    </message>
+    <message>
+        <source>the right hand of %1 has all %2 captures of session %3; name the next session with --session</source>
+        <translation>pravá ruka osoby %1 má všechny snímky (%2) sezení %3; uveďte další sezení pomocí --session</translation>
+    </message>
+    <message>
+        <source>there is no left capture %1 in session %2 of %3</source>
+        <translation>levý snímek %1 v sezení %2 osoby %3 není</translation>
+    </message>
+    <message>
+        <source>there is no right capture %1 in session %2 of %3</source>
+        <translation>pravý snímek %1 v sezení %2 osoby %3 není</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is in the campaign already, in %3; add each capture once</source>
+        <translation>%1 z %2 už v kampani je, v %3; každý snímek přidejte jednou</translation>
+    </message>
+    <message>
+        <source>%1 is there, but no manifest names it; move it away</source>
+        <translation>%1 existuje, ale žádný seznam jej neuvádí; přesuňte jej jinam</translation>
+    </message>
+    <message>
+        <source>%1 has a picture of laser %2, which the campaign&apos;s device does not have; a campaign has one device</source>
+        <translation>%1 má obraz laseru %2, který zařízení kampaně nemá; kampaň má jedno zařízení</translation>
+    </message>
+    <message>
+        <source>%1 is of a camera with %2 pixels, but the campaign&apos;s has %3; a campaign has one device</source>
+        <translation>%1 patří ke kameře s %2 pixely, ale kamera kampaně má %3; kampaň má jedno zařízení</translation>
+    </message>
+    <message>
+        <source>%1 knows laser %2, which the campaign&apos;s device does not have; a campaign has one device</source>
+        <translation>%1 zná laser %2, který zařízení kampaně nemá; kampaň má jedno zařízení</translation>
+    </message>
+    <message>
+        <source>%1 has no calibration, so that there is no surface of it; give the campaign the device&apos;s with the next capture, and take this one again</source>
+        <translation>%1 nemá kalibraci, takže k němu není povrch; dejte kampani s dalším snímkem kalibraci zařízení a tento pořiďte znovu</translation>
+    </message>
+    <message>
+        <source>%1 has no captures to export</source>
+        <translation>%1 nemá snímky k exportu</translation>
+    </message>
+    <message>
+        <source>%1 is not an empty folder; choose another one</source>
+        <translation>%1 není prázdná složka; zvolte jinou</translation>
+    </message>
+    <message>
+        <source>%1 lies in the campaign; choose a folder outside</source>
+        <translation>%1 leží v kampani; zvolte složku mimo ni</translation>
+    </message>
+    <message>
+        <source>%1 is no calibration; restore it from a copy</source>
+        <translation>%1 není kalibrace; obnovte ji z kopie</translation>
+    </message>
+    <message>
+        <source>%1 was changed since dorsum wrote it: its checksum is wrong; restore it from a copy</source>
+        <translation>%1 bylo změněno od zápisu programem dorsum: kontrolní součet nesouhlasí; obnovte je z kopie</translation>
+    </message>
+    <message>
+        <source>%1 was changed since it was stored; restore it from a copy</source>
+        <translation>%1 bylo od uložení změněno; obnovte je z kopie</translation>
+    </message>
+    <message>
+        <source>%1 is missing; restore it from a copy</source>
+        <translation>%1 chybí; obnovte je z kopie</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, but %3 were stored; restore it from a copy</source>
+        <translation>%1 má %2 bajtů, ale uloženo jich bylo %3; obnovte je z kopie</translation>
+    </message>
+    <message>
+        <source>%1 names a capture twice; restore it from a copy</source>
+        <translation>%1 uvádí snímek dvakrát; obnovte je z kopie</translation>
+    </message>
+    <message>
+        <source>%1; what else lies in its folder cannot be checked</source>
+        <translation>%1; co dalšího leží v jeho složce, nelze zkontrolovat</translation>
+    </message>
+    <message>
+        <source>%1 was being added or removed when the command was killed; the next command that writes clears it</source>
+        <translation>%1 se právě přidávalo nebo odebíralo, když byl příkaz přerušen; další, který zapisuje, to uklidí</translation>
+    </message>
+    <message>
+        <source>%1 was left by a command that was killed; the next command that writes clears it</source>
+        <translation>%1 zbylo po přerušeném příkazu; další, který zapisuje, to uklidí</translation>
+    </message>
+    <message>
+        <source>%1 holds what is left of a person whose removal was interrupted; run the removal again</source>
+        <translation>%1 obsahuje, co zbylo po osobě, jejíž odebrání bylo přerušeno; spusťte odebrání znovu</translation>
+    </message>
+    <message>
+        <source>%1 is a virtual person in a campaign of the other kind</source>
+        <translation>%1 je virtuální osoba v kampani druhého druhu</translation>
+    </message>
+    <message>
+        <source>%1 is a real person in a campaign of the other kind</source>
+        <translation>%1 je skutečná osoba v kampani druhého druhu</translation>
+    </message>
+    <message>
+        <source>%1 is a session beyond the plan</source>
+        <translation>%1 je sezení nad rámec plánu</translation>
+    </message>
+    <message>
+        <source>%1 is a capture beyond the plan</source>
+        <translation>%1 je snímek nad rámec plánu</translation>
+    </message>
+    <message>
+        <source>%1 is a link; a campaign holds its files itself</source>
+        <translation>%1 je odkaz; kampaň obsahuje své soubory sama</translation>
+    </message>
+    <message>
+        <source>%1 does not belong to the campaign; move it away</source>
+        <translation>%1 nepatří ke kampani; přesuňte to jinam</translation>
+    </message>
+    <message>
+        <source>without a calibration it cannot be told whether a hand is there and each laser is the right one</source>
+        <translation>bez kalibrace nelze říci, zda je tu ruka a každý laser je ten správný</translation>
     </message>
 </context>
 <context>

@@ -1575,14 +1575,6 @@
         <source>Keeping the capture</source>
         <translation>Aufnahme wird gespeichert</translation>
     </message>
-    <message>
-        <source>Laying something before the device</source>
-        <translation>Etwas wird vor das Gerät gelegt</translation>
-    </message>
-    <message>
-        <source>Calibrating the virtual device</source>
-        <translation>Virtuelles Gerät wird kalibriert</translation>
-    </message>
 </context>
 <context>
     <name>dorsum::ScanPage</name>
@@ -1929,7 +1921,11 @@
     </message>
 </context>
 <context>
-    <name>dorsum::SurfacePage</name>
+    <name>dorsum::SurfaceControls</name>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
     <message>
         <source>Com&amp;pare…</source>
         <translation>&amp;Vergleichen…</translation>
@@ -1937,62 +1933,6 @@
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
-        <source>C&amp;lear</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
-        <source>Drag or arrow keys turn; Shift moves; wheel, + and - zoom; Home shows all; a click or Enter picks a place</source>
-        <translation>Ziehen oder Pfeiltasten drehen; Umschalt verschiebt; Rad, + und - vergrößern und verkleinern; Pos1 zeigt alles; Klick oder Eingabe wählt eine Stelle</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>The cut through the two places</source>
-        <translation>Der Schnitt durch die beiden Stellen</translation>
-    </message>
-    <message>
-        <source>Scale of the colours</source>
-        <translation>Farbskala</translation>
-    </message>
-    <message>
-        <source>What was measured</source>
-        <translation>Was gemessen wurde</translation>
-    </message>
-    <message>
-        <source>No surface</source>
-        <translation>Keine Oberfläche</translation>
-    </message>
-    <message>
-        <source>No surface yet. Scan a hand, open a capture folder or a PLY file, or drop one here.</source>
-        <translation>Noch keine Oberfläche. Scannen Sie eine Hand, öffnen Sie den Ordner einer Aufnahme oder eine PLY-Datei, oder ziehen Sie eines davon hierher.</translation>
-    </message>
-    <message>
-        <source>Image</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>The image with its stripes; a click or Enter picks a stripe, the wheel, + and - zoom, Home shows all</source>
-        <translation>Das Bild mit seinen Laserstreifen; Klick oder Eingabe wählt einen Streifen, Rad, + und - vergrößern und verkleinern, Pos1 zeigt alles</translation>
-    </message>
-    <message>
-        <source>Image that is shown</source>
-        <translation>Bild, das gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Which of the capture&apos;s images, and whose stripes</source>
-        <translation>Welches der Bilder der Aufnahme, und wessen Laserstreifen</translation>
-    </message>
-    <message>
-        <source>&amp;Image:</source>
-        <translation>&amp;Bild:</translation>
     </message>
     <message>
         <source>What is shown</source>
@@ -2055,38 +1995,6 @@
         <translation>&amp;Farben:</translation>
     </message>
     <message>
-        <source>Compare with another surface</source>
-        <translation>Mit einer anderen Oberfläche vergleichen</translation>
-    </message>
-    <message>
-        <source>Colours show how far this surface lies above or below that of another PLY file</source>
-        <translation>Farben zeigen, wie weit diese Oberfläche über oder unter der einer anderen PLY-Datei liegt</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Write the surface as PLY, OBJ, STL or GLB, or the view as PNG</source>
-        <translation>Die Oberfläche als PLY, OBJ, STL oder GLB schreiben, oder die Ansicht als PNG</translation>
-    </message>
-    <message>
-        <source>Compare with a surface</source>
-        <translation>Mit einer Oberfläche vergleichen</translation>
-    </message>
-    <message>
-        <source>Surfaces (*.ply)</source>
-        <translation>Oberflächen (*.ply)</translation>
-    </message>
-    <message>
-        <source>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Picture (*.png)</source>
-        <translation>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>PLY (*.ply);;Picture (*.png)</source>
-        <translation>PLY (*.ply);;Bild (*.png)</translation>
-    </message>
-    <message>
         <source>&amp;Place</source>
         <translation>&amp;Stelle</translation>
     </message>
@@ -2119,6 +2027,80 @@
         <translation>Die gewählten Stellen wegnehmen</translation>
     </message>
     <message>
+        <source>Compare with another surface</source>
+        <translation>Mit einer anderen Oberfläche vergleichen</translation>
+    </message>
+    <message>
+        <source>Colours show how far this surface lies above or below that of another PLY file</source>
+        <translation>Farben zeigen, wie weit diese Oberfläche über oder unter der einer anderen PLY-Datei liegt</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the surface as PLY, OBJ, STL or GLB, or the view as PNG</source>
+        <translation>Die Oberfläche als PLY, OBJ, STL oder GLB schreiben, oder die Ansicht als PNG</translation>
+    </message>
+    <message>
+        <source>Difference to %1</source>
+        <translation>Unterschied zu %1</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceFiles</name>
+    <message>
+        <source>Compare with a surface</source>
+        <translation>Mit einer Oberfläche vergleichen</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.ply)</source>
+        <translation>Oberflächen (*.ply)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;OBJ (*.obj);;STL (*.stl);;GLB (*.glb);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply);;Picture (*.png)</source>
+        <translation>PLY (*.ply);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceImage</name>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The image with its stripes; a click or Enter picks a stripe, the wheel, + and - zoom, Home shows all</source>
+        <translation>Das Bild mit seinen Laserstreifen; Klick oder Eingabe wählt einen Streifen, Rad, + und - vergrößern und verkleinern, Pos1 zeigt alles</translation>
+    </message>
+    <message>
+        <source>Image that is shown</source>
+        <translation>Bild, das gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Which of the capture&apos;s images, and whose stripes</source>
+        <translation>Welches der Bilder der Aufnahme, und wessen Laserstreifen</translation>
+    </message>
+    <message>
+        <source>&amp;Image:</source>
+        <translation>&amp;Bild:</translation>
+    </message>
+    <message>
         <source>All stripes</source>
         <translation>Alle Laserstreifen</translation>
     </message>
@@ -2130,13 +2112,51 @@
         <source>Laser %1</source>
         <translation>Laser %1</translation>
     </message>
-    <message>
-        <source>Colouring the surface</source>
-        <translation>Oberfläche wird gefärbt</translation>
-    </message>
+</context>
+<context>
+    <name>dorsum::SurfaceMeasurer</name>
     <message>
         <source>Measuring along the surface</source>
         <translation>Messung entlang der Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::SurfacePage</name>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn; Shift moves; wheel, + and - zoom; Home shows all; a click or Enter picks a place</source>
+        <translation>Ziehen oder Pfeiltasten drehen; Umschalt verschiebt; Rad, + und - vergrößern und verkleinern; Pos1 zeigt alles; Klick oder Eingabe wählt eine Stelle</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>The cut through the two places</source>
+        <translation>Der Schnitt durch die beiden Stellen</translation>
+    </message>
+    <message>
+        <source>Scale of the colours</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>No surface</source>
+        <translation>Keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>No surface yet. Scan a hand, open a capture folder or a PLY file, or drop one here.</source>
+        <translation>Noch keine Oberfläche. Scannen Sie eine Hand, öffnen Sie den Ordner einer Aufnahme oder eine PLY-Datei, oder ziehen Sie eines davon hierher.</translation>
+    </message>
+    <message>
+        <source>Colouring the surface</source>
+        <translation>Oberfläche wird gefärbt</translation>
     </message>
     <message>
         <source>x %1, y %2, z %3 mm</source>
@@ -2204,18 +2224,6 @@
         <source>Against %1: mean %2 mm, RMS %3 mm; places compared: %L4, outside it: %L5</source>
         <translation>Gegen %1: Mittel %2 mm, RMS %3 mm; verglichene Stellen: %L4, außerhalb: %L5</translation>
     </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>%1 wird gelesen</translation>
-    </message>
-    <message>
-        <source>Difference to %1</source>
-        <translation>Unterschied zu %1</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>%1 wird geschrieben</translation>
-    </message>
 </context>
 <context>
     <name>dorsum::SurfaceView</name>
@@ -2229,6 +2237,17 @@
     <message>
         <source>Surface</source>
         <translation>Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>dorsum::VirtualSession</name>
+    <message>
+        <source>Laying something before the device</source>
+        <translation>Etwas wird vor das Gerät gelegt</translation>
+    </message>
+    <message>
+        <source>Calibrating the virtual device</source>
+        <translation>Virtuelles Gerät wird kalibriert</translation>
     </message>
 </context>
 <context>
@@ -2718,11 +2737,11 @@
     </message>
     <message>
         <source>side of the mask&apos;s opening, px</source>
-        <translation>Seite des Öffnens der Maske (Morphologie), px</translation>
+        <translation>Seitenlänge des Fensters beim Öffnen der Maske (Morphologie), px</translation>
     </message>
     <message>
         <source>least contrast of the object, 255ths of the background</source>
-        <translation>kleinster Kontrast des Objekts, 255stel des Hintergrunds</translation>
+        <translation>kleinster Kontrast des Objekts, in 255steln des Hintergrunds</translation>
     </message>
     <message>
         <source>window of the stripes&apos; adaptive threshold, px</source>
@@ -2730,11 +2749,11 @@
     </message>
     <message>
         <source>edge response above its local mean, grey values</source>
-        <translation>Kantenantwort über ihrem lokalen Mittel, Grauwerte</translation>
+        <translation>Kantenantwort über ihrem lokalen Mittelwert, Grauwerte</translation>
     </message>
     <message>
         <source>side of the stripe mask&apos;s median, px</source>
-        <translation>Seite des Medians der Streifenmaske, px</translation>
+        <translation>Fenster des Medianfilters der Streifenmaske, px</translation>
     </message>
     <message>
         <source>smallest stripe region, px</source>
@@ -2775,6 +2794,1142 @@
     <message>
         <source>no device is open; open one on the Device page, then capture</source>
         <translation>kein Gerät ist offen; öffnen Sie eines auf der Geräteseite, und nehmen Sie dann auf</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2; choose a folder that you may write to and that has room</source>
+        <translation>%1 kann nicht geschrieben werden: %2; wählen Sie einen Ordner, in den Sie schreiben dürfen und in dem Platz ist</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2; make room or choose a folder that you may write to</source>
+        <translation>%1 kann nicht geschrieben werden: %2; schaffen Sie Platz, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: %2</source>
+        <translation>in %1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: it is a file, and a folder is needed</source>
+        <translation>in %1 kann nicht geschrieben werden: es ist eine Datei, und ein Ordner wird gebraucht</translation>
+    </message>
+    <message>
+        <source>cannot write %1: it is a folder; name a file in it</source>
+        <translation>%1 kann nicht geschrieben werden: es ist ein Ordner; nennen Sie eine Datei darin</translation>
+    </message>
+    <message>
+        <source>cannot write %1: there is no folder %2; make it, or choose another</source>
+        <translation>%1 kann nicht geschrieben werden: den Ordner %2 gibt es nicht; legen Sie ihn an, oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>cannot write the calibration to %1: its report takes that name; name a .json file</source>
+        <translation>die Kalibrierung kann nicht in %1 geschrieben werden: ihr Bericht bekommt diesen Namen; nennen Sie eine .json-Datei</translation>
+    </message>
+    <message>
+        <source>cannot read %1: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot read the folder %1: %2</source>
+        <translation>der Ordner %1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be read: %2</source>
+        <translation>der Ordner %1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot make the folder %1: %2</source>
+        <translation>der Ordner %1 kann nicht angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot rename %1: %2</source>
+        <translation>%1 kann nicht umbenannt werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot remove %1: %2</source>
+        <translation>%1 kann nicht gelöscht werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot replace %1: %2</source>
+        <translation>%1 kann nicht ersetzt werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot put back %1: %2</source>
+        <translation>%1 kann nicht zurückgeholt werden: %2</translation>
+    </message>
+    <message>
+        <source>cannot set the time of %1: %2</source>
+        <translation>die Zeit von %1 kann nicht gesetzt werden: %2</translation>
+    </message>
+    <message>
+        <source>there is no file %1</source>
+        <translation>die Datei %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 ist keine Datei</translation>
+    </message>
+    <message>
+        <source>%1 is %2 bytes; at most %3 are expected here</source>
+        <translation>%1 hat %2 Byte; höchstens %3 werden hier erwartet</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written to</source>
+        <translation>in %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>choose another folder, or ask for the right to write there</source>
+        <translation>wählen Sie einen anderen Ordner, oder bitten Sie um das Recht, dort zu schreiben</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>das Kontingent des Datenträgers ist erschöpft</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>die Datei wird zu groß</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>die Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>es ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>der Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>der Datenträger oder das Gerät antwortet falsch</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>das Netzlaufwerk ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>es wird gerade benutzt</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>das Gerät ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>das Gerät ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON; write it again or restore it</source>
+        <translation>%1 ist kein gültiges JSON; schreiben Sie es neu, oder stellen Sie es wieder her</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON (it holds NaN or Infinity); write it again or restore it</source>
+        <translation>%1 ist kein gültiges JSON (es enthält NaN oder Infinity); schreiben Sie es neu, oder stellen Sie es wieder her</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON; restore it from a copy</source>
+        <translation>%1 ist kein gültiges JSON; stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON; calibrate again</source>
+        <translation>%1 ist kein gültiges JSON; kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>%1: a JSON object is expected</source>
+        <translation>%1: ein JSON-Objekt wird erwartet</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is missing</source>
+        <translation>%1: „%2“ fehlt</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a number between %3 and %4, not %5</source>
+        <translation>%1: „%2“ muss eine Zahl zwischen %3 und %4 sein, nicht %5</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a whole number</source>
+        <translation>%1: „%2“ muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a text</source>
+        <translation>%1: „%2“ muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be true or false</source>
+        <translation>%1: „%2“ muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a list of %3 numbers</source>
+        <translation>%1: „%2“ muss eine Liste von %3 Zahlen sein</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a list of numbers</source>
+        <translation>%1: „%2“ muss eine Liste von Zahlen sein</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must hold numbers between %3 and %4, not %5</source>
+        <translation>%1: „%2“ muss Zahlen zwischen %3 und %4 enthalten, nicht %5</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be an object</source>
+        <translation>%1: „%2“ muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; must be a list of at most %3 entries</source>
+        <translation>%1: „%2“ muss eine Liste von höchstens %3 Einträgen sein</translation>
+    </message>
+    <message>
+        <source>%1 is not a %2 file</source>
+        <translation>%1 ist keine %2-Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a %2 file but a %3 file</source>
+        <translation>%1 ist keine %2-Datei, sondern eine %3-Datei</translation>
+    </message>
+    <message>
+        <source>%1: &apos;version&apos; is %2, newer than this program reads (%3); use a newer program</source>
+        <translation>%1: „version“ ist %2, neuer, als dieses Programm liest (%3); benutzen Sie ein neueres Programm</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: unknown key %2; known here: %3</source>
+        <translation>%1: unbekannter Schlüssel %2; bekannt sind hier: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3; it must be %4</source>
+        <translation>%1: %2 ist %3; es muss %4 sein</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers from %2 to %3</source>
+        <translation>eine Liste von %1 Zahlen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 numbers from %2 to %3</source>
+        <translation>eine Liste von 1 bis %1 Zahlen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>0 (left as it is) or from %1 to %2</source>
+        <translation>0 (bleibt, wie es ist) oder von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>0 (none) or from %1 to %2</source>
+        <translation>0 (keine) oder von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or &quot;%2&quot;</source>
+        <translation>&quot;%1&quot; oder &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1: %2; write the file again</source>
+        <translation>%1: %2; schreiben Sie die Datei neu</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is not a PLY file</source>
+        <translation>es ist keine PLY-Datei</translation>
+    </message>
+    <message>
+        <source>its format is %1, not binary_little_endian</source>
+        <translation>ihr Format ist %1, nicht binary_little_endian</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>ihr Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its vertices have no property &apos;%1&apos;</source>
+        <translation>ihren Eckpunkten fehlt die Eigenschaft „%1“</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners</source>
+        <translation>eine Fläche hat %1 Ecken</translation>
+    </message>
+    <message>
+        <source>it does not begin with vertices</source>
+        <translation>sie beginnt nicht mit Eckpunkten</translation>
+    </message>
+    <message>
+        <source>point %1 is not a number</source>
+        <translation>Punkt %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>point %1 has no such laser or order</source>
+        <translation>Laser oder Ordnung von Punkt %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not a number</source>
+        <translation>Eckpunkt %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it has faces that are not triangles</source>
+        <translation>sie hat Flächen, die keine Dreiecke sind</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>eine Fläche nennt einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the surface is empty, so there is no mesh to write to %1</source>
+        <translation>die Oberfläche ist leer, es gibt also kein Netz, das nach %1 zu schreiben wäre</translation>
+    </message>
+    <message>
+        <source>the view could not be made a picture</source>
+        <translation>aus der Ansicht konnte kein Bild werden</translation>
+    </message>
+    <message>
+        <source>the two places lie on parts of the surface that do not touch; choose two on one part</source>
+        <translation>die beiden Stellen liegen auf Teilen der Oberfläche, die einander nicht berühren; wählen Sie zwei auf einem Teil</translation>
+    </message>
+    <message>
+        <source>the two places stand one above the other; choose two that lie side by side</source>
+        <translation>die beiden Stellen liegen übereinander; wählen Sie zwei, die nebeneinander liegen</translation>
+    </message>
+    <message>
+        <source>the camera %1</source>
+        <translation>die Kamera %1</translation>
+    </message>
+    <message>
+        <source>the stream %1</source>
+        <translation>der Videostrom %1</translation>
+    </message>
+    <message>
+        <source>the recording %1</source>
+        <translation>die Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>light controller on %1</source>
+        <translation>Lichtsteuerung an %1</translation>
+    </message>
+    <message>
+        <source>there is no camera under /dev/video; connect one, or set camera.source</source>
+        <translation>unter /dev/video ist keine Kamera; schließen Sie eine an, oder setzen Sie camera.source</translation>
+    </message>
+    <message>
+        <source>none of the cameras can be used: %1 %2</source>
+        <translation>keine der Kameras kann benutzt werden: %1 %2</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1; add yourself to the group &quot;video&quot; (sudo usermod -aG video $USER) and log in again</source>
+        <translation>kann nicht geöffnet werden: %1; fügen Sie sich der Gruppe &quot;video&quot; hinzu (sudo usermod -aG video $USER), und melden Sie sich neu an</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1; close the other program that uses it</source>
+        <translation>kann nicht geöffnet werden: %1; schließen Sie das andere Programm, das sie benutzt</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1; unplug it and plug it in</source>
+        <translation>kann nicht geöffnet werden: %1; ziehen Sie sie ab, und stecken Sie sie wieder ein</translation>
+    </message>
+    <message>
+        <source>does not answer as a camera; unplug it and plug it in</source>
+        <translation>antwortet nicht wie eine Kamera; ziehen Sie sie ab, und stecken Sie sie wieder ein</translation>
+    </message>
+    <message>
+        <source>the camera source &quot;%1&quot; is none: give a number, /dev/videoN, http://…, a video file or a folder that exists, or virtual[:SEED]</source>
+        <translation>die Kameraquelle &quot;%1&quot; ist keine: geben Sie eine Zahl, /dev/videoN, http://…, eine Videodatei oder einen Ordner an, den es gibt, oder virtual[:SEED]</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2; add yourself to the group &quot;video&quot; and log in again</source>
+        <translation>%1 kann nicht geöffnet werden: %2; fügen Sie sich der Gruppe &quot;video&quot; hinzu, und melden Sie sich neu an</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2; close the other program that uses it</source>
+        <translation>%1 kann nicht geöffnet werden: %2; schließen Sie das andere Programm, das sie benutzt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2; check that it is connected</source>
+        <translation>%1 kann nicht geöffnet werden: %2; prüfen Sie, ob sie angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check that it is connected</source>
+        <translation>%1 kann nicht geöffnet werden; prüfen Sie die Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened as a camera; close other programs that use it, or choose another one with camera.source</source>
+        <translation>%1 lässt sich nicht als Kamera öffnen; schließen Sie andere Programme, die sie benutzen, oder wählen Sie mit camera.source eine andere</translation>
+    </message>
+    <message>
+        <source>%1 is no video that can be read, or it is damaged; record it again</source>
+        <translation>%1 ist kein lesbares Video, oder beschädigt; nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 did not answer within %2; check the address, and that the camera is on and in the network</source>
+        <translation>%1 hat innerhalb von %2 nicht geantwortet; prüfen Sie die Adresse, und ob die Kamera an und im Netz ist</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check the address, and that the camera is on and in the network</source>
+        <translation>%1 kann nicht geöffnet werden; prüfen Sie die Adresse, und ob die Kamera an und im Netz ist</translation>
+    </message>
+    <message>
+        <source>%1 is gone; check its cable and plug it in again</source>
+        <translation>%1 ist nicht mehr da; prüfen Sie das Kabel, und stecken Sie es wieder ein</translation>
+    </message>
+    <message>
+        <source>%1 is gone; check that the camera is on and connected, and start again</source>
+        <translation>%1 ist nicht mehr da; prüfen Sie, ob die Kamera an und angeschlossen ist, und beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>%1 was closed by the other side; check that the camera is on and connected, and start again</source>
+        <translation>%1 wurde von der Gegenseite geschlossen; prüfen Sie, ob die Kamera an und angeschlossen ist, und beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>%1 stopped sending pictures: none came for %2; check its cable and plug it in again</source>
+        <translation>%1 sendet keine Bilder mehr: seit %2 kam keines; prüfen Sie das Kabel, und stecken Sie es wieder ein</translation>
+    </message>
+    <message>
+        <source>%1 is cut off after %2 frames of %3; copy or record it again</source>
+        <translation>%1 ist nach %2 von %3 Bildern abgeschnitten; kopieren oder nehmen Sie sie neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is cut off after 1 frame of %2; copy or record it again</source>
+        <translation>%1 ist nach 1 von %2 Bildern abgeschnitten; kopieren oder nehmen Sie sie neu auf</translation>
+    </message>
+    <message>
+        <source>%1 has ended after %2 frames; record more, or begin again</source>
+        <translation>%1 ist nach %2 Bildern zu Ende; nehmen Sie mehr auf, oder beginnen Sie von vorn</translation>
+    </message>
+    <message>
+        <source>%1 has ended after 1 frame; record more, or begin again</source>
+        <translation>%1 ist nach 1 Bild zu Ende; nehmen Sie mehr auf, oder beginnen Sie von vorn</translation>
+    </message>
+    <message>
+        <source>%1 has no more images after %2; record more, or begin again</source>
+        <translation>%1 hat nach %2 keine Bilder mehr; nehmen Sie mehr auf, oder beginnen Sie von vorn</translation>
+    </message>
+    <message>
+        <source>there is no PNG or JPEG image in %1 to take for a camera&apos;s</source>
+        <translation>in %1 ist kein PNG- oder JPEG-Bild, das als das einer Kamera dienen könnte</translation>
+    </message>
+    <message>
+        <source>%1 has no picture under these lights together</source>
+        <translation>%1 hat kein Bild mit diesen Lichtern zusammen</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2; start again</source>
+        <translation>%1 ist ausgefallen: %2; beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or cut off at frame %2, counted from 0; copy or record it again</source>
+        <translation>%1 ist bei Bild %2, von 0 an gezählt, beschädigt oder abgeschnitten; kopieren oder nehmen Sie sie neu auf</translation>
+    </message>
+    <message>
+        <source>%1 sends damaged pictures only; check its cable, or choose a lower resolution or another stream_format</source>
+        <translation>%1 sendet nur beschädigte Bilder; prüfen Sie das Kabel, oder wählen Sie eine kleinere Auflösung oder ein anderes stream_format</translation>
+    </message>
+    <message>
+        <source>%1 sends pictures of %2 pixels, but %3 is expected; set camera.resolution_px to what it can do</source>
+        <translation>%1 sendet Bilder mit %2 Pixeln, aber %3 wird erwartet; setzen Sie camera.resolution_px auf etwas, das sie kann</translation>
+    </message>
+    <message>
+        <source>%1 sent a picture of %2 pixels instead of %3; start again</source>
+        <translation>%1 hat ein Bild mit %2 Pixeln statt %3 gesendet; beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>%1 gave no picture within %2; check that it is connected and that no other program uses it</source>
+        <translation>%1 hat innerhalb von %2 kein Bild geliefert; prüfen Sie, ob sie angeschlossen ist und kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>%1 sent no picture within %2; check that it is connected and that no other program uses it</source>
+        <translation>%1 hat innerhalb von %2 kein Bild gesendet; prüfen Sie, ob sie angeschlossen ist und kein anderes Programm sie benutzt</translation>
+    </message>
+    <message>
+        <source>%1 sent no picture within %2; check that it is connected</source>
+        <translation>%1 hat innerhalb von %2 kein Bild gesendet; prüfen Sie, ob sie angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>%1 sent only %2 picture(s) after the light changed, within %3; it is too slow: shorten the exposure or give it more time</source>
+        <translation>%1 hat nach dem Lichtwechsel innerhalb von %3 nur %2 Bild(er) gesendet; sie ist zu langsam: verkürzen Sie die Belichtung, oder geben Sie ihr mehr Zeit</translation>
+    </message>
+    <message>
+        <source>%1 is frozen: it sends the same picture again and again; unplug it and plug it in</source>
+        <translation>%1 ist eingefroren: sie sendet immer dasselbe Bild; ziehen Sie sie ab, und stecken Sie sie wieder ein</translation>
+    </message>
+    <message>
+        <source>%1 hangs: its exposure cannot be set; plug it in again</source>
+        <translation>%1 hängt: die Belichtung lässt sich nicht setzen; stecken Sie sie neu ein</translation>
+    </message>
+    <message>
+        <source>the picture of %1 did not settle within %2: frames still differ by %3 grey levels; keep the hand still, shade other lights, and set a fixed exposure (camera.laser_exposure_s and led_exposure_s)</source>
+        <translation>das Bild kam innerhalb von %2 nicht zur Ruhe (%1): die Bilder weichen noch um %3 Graustufen voneinander ab; halten Sie die Hand still, schirmen Sie anderes Licht ab, und setzen Sie eine feste Belichtung (camera.laser_exposure_s und led_exposure_s)</translation>
+    </message>
+    <message>
+        <source>the camera did not take %1 %2; it is %3</source>
+        <translation>die Kamera hat nicht angenommen: %1 %2; es ist %3</translation>
+    </message>
+    <message>
+        <source>the camera did not take %1 %2: it has no such control</source>
+        <translation>die Kamera hat nicht angenommen: %1 %2; sie hat diese Einstellung nicht</translation>
+    </message>
+    <message>
+        <source>the camera chooses its exposure itself, so pictures may not be comparable; set camera.laser_exposure_s and camera.led_exposure_s</source>
+        <translation>die Kamera wählt die Belichtung selbst, sodass Bilder nicht vergleichbar sein können; setzen Sie camera.laser_exposure_s und camera.led_exposure_s</translation>
+    </message>
+    <message>
+        <source>cameras need %1, which is missing or cannot be loaded; install Dorsum again, with OpenCV&apos;s videoio</source>
+        <translation>Kameras brauchen %1, das fehlt oder sich nicht laden lässt; installieren Sie Dorsum neu, mit OpenCVs videoio</translation>
+    </message>
+    <message>
+        <source>there is no port %1; plug the light controller in, or correct controller.port in the device description</source>
+        <translation>den Anschluss %1 gibt es nicht; schließen Sie die Lichtsteuerung an, oder berichtigen Sie controller.port in der Gerätebeschreibung</translation>
+    </message>
+    <message>
+        <source>no permission to use %1; join the group dialout (sudo usermod -aG dialout $USER, then log in anew) or add the udev rule of docs/light-controller.md</source>
+        <translation>keine Berechtigung für %1; treten Sie der Gruppe dialout bei (sudo usermod -aG dialout $USER, dann neu anmelden), oder richten Sie die udev-Regel aus docs/light-controller.md ein</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program; close that first</source>
+        <translation>%1 wird von einem anderen Programm benutzt; schließen Sie dieses zuerst</translation>
+    </message>
+    <message>
+        <source>%1 is no serial port; name the light controller&apos;s as controller.port</source>
+        <translation>%1 ist kein serieller Anschluss; nennen Sie den der Lichtsteuerung als controller.port</translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2; unplug the light controller and plug it in again</source>
+        <translation>%1 kann nicht geöffnet werden: %2; ziehen Sie die Lichtsteuerung ab, und stecken Sie sie wieder ein</translation>
+    </message>
+    <message>
+        <source>no serial port runs at %1 baud; set controller.baud to 115200, the firmware&apos;s</source>
+        <translation>kein serieller Anschluss läuft mit %1 Baud; setzen Sie controller.baud auf 115200, wie die Firmware</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 is gone; check its cable and plug it in again, then start over</source>
+        <translation>die Lichtsteuerung an %1 ist nicht mehr da; prüfen Sie das Kabel, stecken Sie es wieder ein, und beginnen Sie dann neu</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 speaks protocol %2 (firmware %3), this program protocol %4; flash the firmware that belongs to this program (scripts/firmware)</source>
+        <translation>die Lichtsteuerung an %1 spricht Protokoll %2 (Firmware %3), dieses Programm Protokoll %4; spielen Sie die Firmware auf, die zu diesem Programm gehört (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>what is on %1 talks, but not as a light controller; check controller.port and controller.baud, or flash the firmware (scripts/firmware)</source>
+        <translation>was an %1 hängt, antwortet, aber nicht wie eine Lichtsteuerung; prüfen Sie controller.port und controller.baud, oder spielen Sie die Firmware auf (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>no answer from a light controller on %1; check controller.port, cable and power, or flash the firmware (scripts/firmware)</source>
+        <translation>keine Antwort einer Lichtsteuerung an %1; prüfen Sie controller.port, Kabel und Strom, oder spielen Sie die Firmware auf (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 has restarted in the middle, which switched its lights off; check its power and cable</source>
+        <translation>die Lichtsteuerung an %1 ist mittendrin neu gestartet, wodurch ihre Lichter ausgingen; prüfen Sie Strom und Kabel</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 does not answer any more; check its cable and power, then start over</source>
+        <translation>die Lichtsteuerung an %1 antwortet nicht mehr; prüfen Sie Kabel und Strom, und beginnen Sie dann neu</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 has firmware of %2 logic, but the device description says %3; flash the other firmware or correct the description (docs/light-controller.md)</source>
+        <translation>die Firmware der Lichtsteuerung an %1 hat die Logik %2, die Gerätebeschreibung sagt aber %3; spielen Sie die andere Firmware auf, oder berichtigen Sie die Beschreibung (docs/light-controller.md)</translation>
+    </message>
+    <message>
+        <source>the light controller on %1 does not tell its limits; flash the firmware that belongs to this program (scripts/firmware)</source>
+        <translation>die Lichtsteuerung an %1 nennt ihre Grenzen nicht; spielen Sie die Firmware auf, die zu diesem Programm gehört (scripts/firmware)</translation>
+    </message>
+    <message>
+        <source>there is no serial port of a USB device; plug the light controller in, or name its port as controller.port in the device description</source>
+        <translation>es gibt keinen seriellen Anschluss eines USB-Geräts; schließen Sie die Lichtsteuerung an, oder nennen Sie ihren Anschluss als controller.port in der Gerätebeschreibung</translation>
+    </message>
+    <message>
+        <source>no light controller on any of %1 (%2)</source>
+        <translation>keine Lichtsteuerung an einem von %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the device description asks for channel %1, but the %2 has 0 to %3; correct the channels in the device description</source>
+        <translation>die Gerätebeschreibung verlangt Kanal %1, aber es gibt 0 bis %3 (%2); berichtigen Sie die Kanäle in der Gerätebeschreibung</translation>
+    </message>
+    <message>
+        <source>the %1 found channel %2 not held off by its resistor when it started, so it does not drive it; check the wiring, and that the firmware&apos;s logic is the circuit&apos;s (docs/light-controller.md)</source>
+        <translation>Kanal %2 wurde beim Start nicht von seinem Widerstand ausgehalten und wird deshalb nicht geschaltet (%1); prüfen Sie die Verdrahtung, und ob die Logik der Firmware die der Schaltung ist (docs/light-controller.md)</translation>
+    </message>
+    <message>
+        <source>the %1 did not switch its lights as it was told (%2); check its cable and power</source>
+        <translation>die Lichter wurden nicht geschaltet wie verlangt (%1, %2); prüfen Sie Kabel und Strom</translation>
+    </message>
+    <message>
+        <source>the %1 switched its lights off while a picture was taken; it was reset, or its time limit is shorter than the camera needs</source>
+        <translation>die Lichter gingen während einer Aufnahme aus (%1); es gab einen Neustart, oder die Zeitgrenze ist kürzer, als die Kamera braucht</translation>
+    </message>
+    <message>
+        <source>see the report beside %1</source>
+        <translation>siehe den Bericht neben %1</translation>
+    </message>
+    <message>
+        <source>set it in device.toml to what the camera can do</source>
+        <translation>setzen Sie es in device.toml auf etwas, das die Kamera kann</translation>
+    </message>
+    <message>
+        <source>%1 can be used</source>
+        <translation>%1 kann benutzt werden</translation>
+    </message>
+    <message>
+        <source>sudo usermod -aG dialout $USER, then log in again</source>
+        <translation>sudo usermod -aG dialout $USER, dann neu anmelden</translation>
+    </message>
+    <message>
+        <source>%1, firmware %2: all off after %3 s without a word from here, a laser after %4 s</source>
+        <translation>%1, Firmware %2: alles aus nach %3 s ohne ein Wort von hier, ein Laser nach %4 s</translation>
+    </message>
+    <message>
+        <source>%1, %2 x %3 pixels</source>
+        <translation>%1, %2 x %3 Pixel</translation>
+    </message>
+    <message>
+        <source>there is no calibration folder %1</source>
+        <translation>den Kalibrierordner %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no capture folder %1</source>
+        <translation>den Aufnahmeordner %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no image stripesHand0, stripesHand1, … in %1</source>
+        <translation>in %1 ist kein Bild stripesHand0, stripesHand1, …</translation>
+    </message>
+    <message>
+        <source>there is no setup.json in %1; it says what the chessboard and the boxes measure</source>
+        <translation>in %1 ist keine setup.json; sie sagt, wie groß das Schachbrett und die Quader sind</translation>
+    </message>
+    <message>
+        <source>the image %1 (.jpg or .png) is missing in %2</source>
+        <translation>das Bild %1 (.jpg oder .png) fehlt in %2</translation>
+    </message>
+    <message>
+        <source>%1: the background image</source>
+        <translation>%1: das Hintergrundbild</translation>
+    </message>
+    <message>
+        <source>%1 is %2 pixels, more than any camera here has; capture it again</source>
+        <translation>%1 hat %2 Pixel, mehr als jede Kamera hier; nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bits per channel; 8 are expected, so save it as 8 bit</source>
+        <translation>%1 hat %2 Bit je Kanal; 8 werden erwartet, speichern Sie es also mit 8 Bit</translation>
+    </message>
+    <message>
+        <source>%1 is a grey image; the stripes are read from the green channel, so capture it in colour</source>
+        <translation>%1 ist ein Graubild; die Laserstreifen werden aus dem Grünkanal gelesen, nehmen Sie es also in Farbe auf</translation>
+    </message>
+    <message>
+        <source>%1 is not a plain colour image; the stripes are read from the green channel, so capture it in colour</source>
+        <translation>%1 ist kein einfaches Farbbild; die Laserstreifen werden aus dem Grünkanal gelesen, nehmen Sie es also in Farbe auf</translation>
+    </message>
+    <message>
+        <source>%1 is %2 pixels, but %3 is expected; use images of one camera at one resolution</source>
+        <translation>%1 hat %2 Pixel, aber %3 werden erwartet; benutzen Sie Bilder einer Kamera mit einer Auflösung</translation>
+    </message>
+    <message>
+        <source>%1 is cut off: its end is missing; copy or capture it again</source>
+        <translation>%1 ist abgeschnitten: das Ende fehlt; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is damaged; copy or capture it again</source>
+        <translation>%1 ist beschädigt; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged PNG; copy or capture it again</source>
+        <translation>%1 ist ein beschädigtes PNG; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged JPEG; copy or capture it again</source>
+        <translation>%1 ist ein beschädigtes JPEG; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is empty; copy or capture it again</source>
+        <translation>%1 ist leer; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is neither a PNG nor a JPEG image; copy or capture it again</source>
+        <translation>%1 ist weder ein PNG- noch ein JPEG-Bild; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 cannot be decoded; copy or capture it again</source>
+        <translation>%1 kann nicht entschlüsselt werden; kopieren Sie es neu, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>%1 is black; check the light and the exposure</source>
+        <translation>%1 ist schwarz; prüfen Sie Licht und Belichtung</translation>
+    </message>
+    <message>
+        <source>%1 is white all over; lower the exposure</source>
+        <translation>%1 ist überall weiß; verringern Sie die Belichtung</translation>
+    </message>
+    <message>
+        <source>with all lights off %1 of the picture is brighter than it may be; shade the device from daylight, or shorten the camera&apos;s exposure</source>
+        <translation>bei ausgeschalteten Lichtern sind %1 des Bildes heller als erlaubt; schirmen Sie das Gerät gegen Tageslicht ab, oder verkürzen Sie die Belichtung der Kamera</translation>
+    </message>
+    <message>
+        <source>the LEDs light too little of the picture; check their supply and channel, or expose longer</source>
+        <translation>die LEDs beleuchten zu wenig vom Bild; prüfen Sie Versorgung und Kanal, oder belichten Sie länger</translation>
+    </message>
+    <message>
+        <source>%1 of the picture under the LEDs is overexposed; shorten the camera&apos;s exposure under the LEDs, or dim them</source>
+        <translation>%1 des Bildes unter den LEDs sind überbelichtet; verkürzen Sie die Belichtung unter den LEDs, oder dimmen Sie sie</translation>
+    </message>
+    <message>
+        <source>laser %1 does not light up; check its supply, its cable and its channel</source>
+        <translation>Laser %1 leuchtet nicht; prüfen Sie Versorgung, Kabel und Kanal</translation>
+    </message>
+    <message>
+        <source>%1 of the picture under laser %2 is overexposed; shorten the camera&apos;s exposure for the lasers</source>
+        <translation>%1 des Bildes unter Laser %2 sind überbelichtet; verkürzen Sie die Belichtung für die Laser</translation>
+    </message>
+    <message>
+        <source>the pictures of lasers %1 and %2 show the same stripes; check their cables, and that their channels in device.toml differ</source>
+        <translation>die Bilder der Laser %1 und %2 zeigen dieselben Streifen; prüfen Sie die Kabel, und ob ihre Kanäle in device.toml verschieden sind</translation>
+    </message>
+    <message>
+        <source>laser %1 was lit in place of laser %2: its cable is plugged elsewhere than when the device was calibrated, or a laser&apos;s channel in device.toml is wrong</source>
+        <translation>Laser %1 leuchtete statt Laser %2: das Kabel steckt anders als bei der Kalibrierung des Geräts, oder der Kanal eines Lasers in device.toml ist falsch</translation>
+    </message>
+    <message>
+        <source>the hand moved by %1 while it was captured; rest it on the backplane and capture again</source>
+        <translation>die Hand hat sich während der Aufnahme um %1 bewegt; legen Sie sie ruhig auf die Grundplatte, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the hand moved by %1 while it was captured</source>
+        <translation>die Hand hat sich während der Aufnahme um %1 bewegt</translation>
+    </message>
+    <message>
+        <source>the hand leaves the picture at more than one place; move it to the middle, so that only the wrist runs out</source>
+        <translation>die Hand ragt an mehr als einer Stelle aus dem Bild; legen Sie sie in die Mitte, sodass nur das Handgelenk hinausragt</translation>
+    </message>
+    <message>
+        <source>the device has no laser %1: its lasers are 0 to %2</source>
+        <translation>das Gerät hat keinen Laser %1: seine Laser sind 0 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is there already and not empty; name a new folder</source>
+        <translation>%1 gibt es schon und ist nicht leer; nennen Sie einen neuen Ordner</translation>
+    </message>
+    <message>
+        <source>%1 is of a camera of %2 pixels, the device&apos;s has %3; calibrate this device</source>
+        <translation>%1 gehört zu einer Kamera mit %2 Pixeln, die des Geräts hat %3; kalibrieren Sie dieses Gerät</translation>
+    </message>
+    <message>
+        <source>%1 is of another device or board than %2; go on with that device, or name a new folder</source>
+        <translation>%1 gehört zu einem anderen Gerät oder Brett als %2; machen Sie mit jenem Gerät weiter, oder nennen Sie einen neuen Ordner</translation>
+    </message>
+    <message>
+        <source>no hand is seen in bgHand: it looks like the empty background; put the hand down and capture again</source>
+        <translation>in bgHand ist keine Hand zu sehen: es sieht aus wie der leere Hintergrund; legen Sie die Hand hin, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>bgHand differs from the background nearly everywhere; the light or the camera changed since the calibration, so calibrate again</source>
+        <translation>bgHand weicht fast überall vom Hintergrund ab; Licht oder Kamera haben sich seit der Kalibrierung geändert, kalibrieren Sie also neu</translation>
+    </message>
+    <message>
+        <source>no object is seen: a few stripes seem to lie on one, but make no outline together with bgHand; put the hand down and capture again</source>
+        <translation>kein Objekt ist zu sehen: einige Streifen scheinen auf einem zu liegen, ergeben aber mit bgHand keinen Umriss; legen Sie die Hand hin, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the object seems to fill the picture, so its outline is not seen; look whether bgHand and the stripes are of one capture and the calibration is this device&apos;s</source>
+        <translation>das Objekt scheint das Bild zu füllen, sodass sein Umriss nicht zu sehen ist; sehen Sie nach, ob bgHand und die Streifen aus einer Aufnahme sind und die Kalibrierung von diesem Gerät ist</translation>
+    </message>
+    <message>
+        <source>only shadow is seen in bgHand: the object is as bright as the backplane, or it is gone; cover a white object with something darker and capture again</source>
+        <translation>in bgHand ist nur Schatten zu sehen: das Objekt ist so hell wie die Grundplatte, oder es ist weg; bedecken Sie ein weißes Objekt mit etwas Dunklerem, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the stripes of laser %1 lie %2 px beside their places on the backplane: camera, laser or backplane moved since the calibration; calibrate again</source>
+        <translation>die Streifen von Laser %1 liegen %2 px neben ihren Plätzen auf der Grundplatte: Kamera, Laser oder Grundplatte haben sich seit der Kalibrierung bewegt; kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>no stripe is seen on the object; are the lasers on, and is the capture of this device?</source>
+        <translation>auf dem Objekt ist kein Laserstreifen zu sehen; sind die Laser an, und ist die Aufnahme von diesem Gerät?</translation>
+    </message>
+    <message>
+        <source>the calibration is for images of %1, but the capture has %2; use the calibration of this camera and resolution</source>
+        <translation>die Kalibrierung ist für Bilder mit %1 Pixeln, die Aufnahme hat aber %2; benutzen Sie die Kalibrierung dieser Kamera und Auflösung</translation>
+    </message>
+    <message>
+        <source>the calibration holds no %1 sheets for laser %2; calibrate with --method %3, or reconstruct with --sheets %4</source>
+        <translation>die Kalibrierung enthält keine Lichtflächen %1 für Laser %2; kalibrieren Sie mit --method %3, oder rekonstruieren Sie mit --sheets %4</translation>
+    </message>
+    <message>
+        <source>the stripes shine as those of other orders do, so the object reaches out of the working volume of %1 to %2 mm; place it lower and capture again</source>
+        <translation>die Streifen leuchten wie solche anderer Ordnungen, das Objekt ragt also aus dem Arbeitsraum von %1 bis %2 mm; legen Sie es tiefer, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the lasers put the object at heights that differ by %1 mm: it reaches out of the working volume of %2 to %3 mm, or moved while it was captured; place it lower and capture again</source>
+        <translation>die Laser legen das Objekt in Höhen, die um %1 mm voneinander abweichen: es ragt aus dem Arbeitsraum von %2 bis %3 mm, oder hat sich während der Aufnahme bewegt; legen Sie es tiefer, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the lasers see the object at places that differ by %1 mm: it moved while it was captured, or reaches out of the working volume of %2 to %3 mm; place it lower, keep still and capture again</source>
+        <translation>die Laser sehen das Objekt an Orten, die um %1 mm voneinander abweichen: es hat sich während der Aufnahme bewegt, oder ragt aus dem Arbeitsraum von %2 bis %3 mm; legen Sie es tiefer, halten Sie still, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>the object moved by about %1 mm while it was captured, since the lasers see it at different places; keep still and capture again</source>
+        <translation>das Objekt hat sich während der Aufnahme um etwa %1 mm bewegt, denn die Laser sehen es an verschiedenen Orten; halten Sie still, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>stages are shown of a capture with its calibration; take one, or open its folder</source>
+        <translation>Stufen werden von einer Aufnahme mit ihrer Kalibrierung gezeigt; nehmen Sie eine auf, oder öffnen Sie ihren Ordner</translation>
+    </message>
+    <message>
+        <source>%1: the camera&apos;s matrix or pose is not one of a camera above the backplane</source>
+        <translation>%1: Matrix oder Lage der Kamera sind nicht die einer Kamera über der Grundplatte</translation>
+    </message>
+    <message>
+        <source>%1: laser %2 has no light sheets; calibrate again</source>
+        <translation>%1: Laser %2 hat keine Lichtflächen; kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>%1: the working volume&apos;s bottom is not below its top</source>
+        <translation>%1: der Boden des Arbeitsraums liegt nicht unter seiner Decke</translation>
+    </message>
+    <message>
+        <source>%1: the lasers are not in ascending order</source>
+        <translation>%1: die Laser stehen nicht in aufsteigender Reihenfolge</translation>
+    </message>
+    <message>
+        <source>%1 holds no laser; calibrate again</source>
+        <translation>%1 enthält keinen Laser; kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>%1: the background image is damaged; calibrate again</source>
+        <translation>%1: das Hintergrundbild ist beschädigt; kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>no chessboard of %1 inner corners is seen in %2, which fixes the world; capture it again or correct setup.json</source>
+        <translation>in %2, das die Welt festlegt, ist kein Schachbrett mit %1 inneren Ecken zu sehen; nehmen Sie es neu auf, oder berichtigen Sie setup.json</translation>
+    </message>
+    <message>
+        <source>no chessboard of %1 inner corners is seen in %2; capture it again or correct setup.json</source>
+        <translation>in %2 ist kein Schachbrett mit %1 inneren Ecken zu sehen; nehmen Sie es neu auf, oder berichtigen Sie setup.json</translation>
+    </message>
+    <message>
+        <source>a chessboard is seen in only %1 of %2 views; at least %3 are needed, so capture the chessboards again</source>
+        <translation>ein Schachbrett ist nur in %1 von %2 Ansichten zu sehen; mindestens %3 werden gebraucht, nehmen Sie die Schachbretter also neu auf</translation>
+    </message>
+    <message>
+        <source>the chessboard views do not determine the camera; capture them again with the board tilted differently in each</source>
+        <translation>die Ansichten des Schachbretts bestimmen die Kamera nicht; nehmen Sie sie neu auf, das Brett jedes Mal anders gekippt</translation>
+    </message>
+    <message>
+        <source>the chessboard lies alike in all views, which leaves the focal length open; capture chess00, chess01, … again with the board tilted differently in each</source>
+        <translation>das Schachbrett liegt in allen Ansichten gleich, was die Brennweite offen lässt; nehmen Sie chess00, chess01, … neu auf, das Brett jedes Mal anders gekippt</translation>
+    </message>
+    <message>
+        <source>the stripes and chessboards do not determine the device; capture the series again</source>
+        <translation>Laserstreifen und Schachbretter bestimmen das Gerät nicht; nehmen Sie die Serie neu auf</translation>
+    </message>
+    <message>
+        <source>only %1 whole stripes of laser %2 are seen in %3; capture it again with a longer exposure</source>
+        <translation>nur %1 ganze Streifen von Laser %2 sind in %3 zu sehen; nehmen Sie es mit längerer Belichtung neu auf</translation>
+    </message>
+    <message>
+        <source>the central stripe of laser %1 is not seen in %2; capture it again</source>
+        <translation>der mittlere Streifen von Laser %1 ist in %2 nicht zu sehen; nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>no drawn lines are seen in laserFirstEstimates; capture the laser calibration plane again</source>
+        <translation>in laserFirstEstimates sind keine gezeichneten Linien zu sehen; nehmen Sie die Laser-Kalibrierebene neu auf</translation>
+    </message>
+    <message>
+        <source>no stripes are seen in %1; is laser %2 on and the exposure right? Capture it again</source>
+        <translation>in %1 sind keine Laserstreifen zu sehen; ist Laser %2 an und die Belichtung richtig? Nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>only %1 stripes are seen in %2; is laser %3 on and the exposure long enough?</source>
+        <translation>nur %1 Laserstreifen sind in %2 zu sehen; ist Laser %3 an und die Belichtung lang genug?</translation>
+    </message>
+    <message>
+        <source>only %1 stripes of laser %2 are seen on the backplane; capture %3 again with a longer exposure</source>
+        <translation>nur %1 Streifen von Laser %2 sind auf der Grundplatte zu sehen; nehmen Sie %3 mit längerer Belichtung neu auf</translation>
+    </message>
+    <message>
+        <source>only %1 stripes of laser %2 are seen on the calibration object; capture %3 again with a longer exposure</source>
+        <translation>nur %1 Streifen von Laser %2 sind auf dem Kalibrierkörper zu sehen; nehmen Sie %3 mit längerer Belichtung neu auf</translation>
+    </message>
+    <message>
+        <source>fewer than three stripes of laser %1 are seen at both distances; capture %2 and %3 again</source>
+        <translation>weniger als drei Streifen von Laser %1 sind in beiden Abständen zu sehen; nehmen Sie %2 und %3 neu auf</translation>
+    </message>
+    <message>
+        <source>the stripes of laser %1 are not closer together on the calibration object than on the backplane; are the Closer and Further images swapped?</source>
+        <translation>die Streifen von Laser %1 liegen auf dem Kalibrierkörper nicht enger als auf der Grundplatte; sind die Bilder Closer und Further vertauscht?</translation>
+    </message>
+    <message>
+        <source>the stripes of laser %1 on the backplane and on the calibration object do not belong to one grating; are the Closer and Further images swapped?</source>
+        <translation>die Streifen von Laser %1 auf der Grundplatte und auf dem Kalibrierkörper gehören nicht zu einem Gitter; sind die Bilder Closer und Further vertauscht?</translation>
+    </message>
+    <message>
+        <source>too few points on the boxes under heights/ to fit the error correction</source>
+        <translation>zu wenige Punkte auf den Quadern unter heights/, um die Fehlerkorrektur anzupassen</translation>
+    </message>
+    <message>
+        <source>the boxes under heights/ do not determine the error correction; at least three heights are needed</source>
+        <translation>die Quader unter heights/ bestimmen die Fehlerkorrektur nicht; mindestens drei Höhen werden gebraucht</translation>
+    </message>
+    <message>
+        <source>only a virtual device calibrates by itself; use the calibrate page</source>
+        <translation>nur ein virtuelles Gerät kalibriert sich selbst; benutzen Sie die Seite Kalibrieren</translation>
+    </message>
+    <message>
+        <source>this device is not virtual</source>
+        <translation>dieses Gerät ist nicht virtuell</translation>
+    </message>
+    <message>
+        <source>there is no campaign in %1; dorsum campaign new makes one</source>
+        <translation>in %1 ist keine Kampagne; dorsum campaign new legt eine an</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign already; add to it, or choose another folder</source>
+        <translation>%1 ist schon eine Kampagne; fügen Sie zu ihr hinzu, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>%1 is not an empty folder; choose another one for the campaign</source>
+        <translation>%1 ist kein leerer Ordner; wählen Sie einen anderen für die Kampagne</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign already, and another one than asked for; choose another folder, or ask for the same device, seed, people and plan to go on with it</source>
+        <translation>%1 ist schon eine Kampagne, und eine andere als die verlangte; wählen Sie einen anderen Ordner, oder verlangen Sie dasselbe Gerät, denselben Startwert, dieselben Personen und denselben Plan, um sie fortzusetzen</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign of virtual people; make another for real ones</source>
+        <translation>%1 ist eine Kampagne virtueller Personen; legen Sie für wirkliche eine andere an</translation>
+    </message>
+    <message>
+        <source>%1 is a campaign of real people; virtual ones have their own</source>
+        <translation>%1 ist eine Kampagne wirklicher Personen; virtuelle haben ihre eigene</translation>
+    </message>
+    <message>
+        <source>this campaign&apos;s virtual device is described by a file; go on with dorsum campaign new, --virtual and --device</source>
+        <translation>das virtuelle Gerät dieser Kampagne ist durch eine Datei beschrieben; machen Sie mit dorsum campaign new, --virtual und --device weiter</translation>
+    </message>
+    <message>
+        <source>a campaign&apos;s name has 1 to 100 characters, all of them printable</source>
+        <translation>der Name einer Kampagne hat 1 bis 100 Zeichen, alle druckbar</translation>
+    </message>
+    <message>
+        <source>a person&apos;s id is 1 to 32 letters a to z, digits, - and _, with at least one digit and neither - nor _ in front: p01, never a name</source>
+        <translation>die Kennung einer Person besteht aus 1 bis 32 Buchstaben a bis z, Ziffern, - und _, mit mindestens einer Ziffer und weder - noch _ am Anfang: p01, niemals ein Name</translation>
+    </message>
+    <message>
+        <source>the consent date must be a day that exists, as 2024-05-31; without consent nothing is stored</source>
+        <translation>das Datum der Einwilligung muss ein Tag sein, den es gibt, wie 2024-05-31; ohne Einwilligung wird nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>the consent date %1 is before 1990</source>
+        <translation>das Datum der Einwilligung %1 liegt vor 1990</translation>
+    </message>
+    <message>
+        <source>the consent date %1 lies in the future (today is %2); without consent nothing is stored</source>
+        <translation>das Datum der Einwilligung %1 liegt in der Zukunft (heute ist %2); ohne Einwilligung wird nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>there is no person %1 in %2; add the person first, with the date of the consent</source>
+        <translation>die Person %1 gibt es in %2 nicht; fügen Sie sie zuerst hinzu, mit dem Datum der Einwilligung</translation>
+    </message>
+    <message>
+        <source>there is no person %1 in %2 to correct</source>
+        <translation>die Person %1, die zu berichtigen wäre, gibt es in %2 nicht</translation>
+    </message>
+    <message>
+        <source>there is no person %1 in %2</source>
+        <translation>die Person %1 gibt es in %2 nicht</translation>
+    </message>
+    <message>
+        <source>there is a person %1 in %2 already; choose another id</source>
+        <translation>die Person %1 gibt es in %2 schon; wählen Sie eine andere Kennung</translation>
+    </message>
+    <message>
+        <source>the person %1 was removed meanwhile; nothing was stored</source>
+        <translation>die Person %1 wurde inzwischen entfernt; nichts wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>the campaign&apos;s plan has no left hands</source>
+        <translation>der Plan der Kampagne hat keine linken Hände</translation>
+    </message>
+    <message>
+        <source>the campaign&apos;s plan has no right hands</source>
+        <translation>der Plan der Kampagne hat keine rechten Hände</translation>
+    </message>
+    <message>
+        <source>the campaign&apos;s plan has sessions 1 to %1, not %2</source>
+        <translation>der Plan der Kampagne hat die Sitzungen 1 bis %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>the left hand of %1 has all %2 captures of session %3 already</source>
+        <translation>die linke Hand von %1 hat schon alle %2 Aufnahmen der Sitzung %3</translation>
+    </message>
+    <message>
+        <source>the right hand of %1 has all %2 captures of session %3 already</source>
+        <translation>die rechte Hand von %1 hat schon alle %2 Aufnahmen der Sitzung %3</translation>
+    </message>
+    <message>
+        <source>the left hand of %1 has all %2 captures of session %3; name the next session with --session</source>
+        <translation>die linke Hand von %1 hat alle %2 Aufnahmen der Sitzung %3; nennen Sie die nächste Sitzung mit --session</translation>
+    </message>
+    <message>
+        <source>the right hand of %1 has all %2 captures of session %3; name the next session with --session</source>
+        <translation>die rechte Hand von %1 hat alle %2 Aufnahmen der Sitzung %3; nennen Sie die nächste Sitzung mit --session</translation>
+    </message>
+    <message>
+        <source>there is no left capture %1 in session %2 of %3</source>
+        <translation>eine linke Aufnahme %1 gibt es in Sitzung %2 von %3 nicht</translation>
+    </message>
+    <message>
+        <source>there is no right capture %1 in session %2 of %3</source>
+        <translation>eine rechte Aufnahme %1 gibt es in Sitzung %2 von %3 nicht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is in the campaign already, in %3; add each capture once</source>
+        <translation>%1 von %2 ist schon in der Kampagne, in %3; fügen Sie jede Aufnahme einmal hinzu</translation>
+    </message>
+    <message>
+        <source>%1 is there, but no manifest names it; move it away</source>
+        <translation>%1 ist da, aber kein Verzeichnis nennt es; räumen Sie es weg</translation>
+    </message>
+    <message>
+        <source>%1 has a picture of laser %2, which the campaign&apos;s device does not have; a campaign has one device</source>
+        <translation>%1 hat ein Bild von Laser %2, den das Gerät der Kampagne nicht hat; eine Kampagne hat ein Gerät</translation>
+    </message>
+    <message>
+        <source>%1 is of a camera with %2 pixels, but the campaign&apos;s has %3; a campaign has one device</source>
+        <translation>%1 gehört zu einer Kamera mit %2 Pixeln, die der Kampagne hat aber %3; eine Kampagne hat ein Gerät</translation>
+    </message>
+    <message>
+        <source>%1 knows laser %2, which the campaign&apos;s device does not have; a campaign has one device</source>
+        <translation>%1 kennt Laser %2, den das Gerät der Kampagne nicht hat; eine Kampagne hat ein Gerät</translation>
+    </message>
+    <message>
+        <source>%1 has no calibration, so that there is no surface of it; give the campaign the device&apos;s with the next capture, and take this one again</source>
+        <translation>%1 hat keine Kalibrierung, sodass es davon keine Oberfläche gibt; geben Sie der Kampagne mit der nächsten Aufnahme die des Geräts, und wiederholen Sie diese</translation>
+    </message>
+    <message>
+        <source>%1 has no captures to export</source>
+        <translation>%1 hat keine Aufnahmen, die zu exportieren wären</translation>
+    </message>
+    <message>
+        <source>%1 is not an empty folder; choose another one</source>
+        <translation>%1 ist kein leerer Ordner; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>%1 lies in the campaign; choose a folder outside</source>
+        <translation>%1 liegt in der Kampagne; wählen Sie einen Ordner außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 is no calibration; restore it from a copy</source>
+        <translation>%1 ist keine Kalibrierung; stellen Sie sie aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1 was changed since dorsum wrote it: its checksum is wrong; restore it from a copy</source>
+        <translation>%1 wurde verändert, seit dorsum es schrieb: die Prüfsumme ist falsch; stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1 was changed since it was stored; restore it from a copy</source>
+        <translation>%1 wurde seit dem Speichern verändert; stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1 is missing; restore it from a copy</source>
+        <translation>%1 fehlt; stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, but %3 were stored; restore it from a copy</source>
+        <translation>%1 hat %2 Byte, gespeichert wurden aber %3; stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1 names a capture twice; restore it from a copy</source>
+        <translation>%1 nennt eine Aufnahme zweimal; stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>%1; what else lies in its folder cannot be checked</source>
+        <translation>%1; was sonst in seinem Ordner liegt, kann nicht geprüft werden</translation>
+    </message>
+    <message>
+        <source>%1 was being added or removed when the command was killed; the next command that writes clears it</source>
+        <translation>%1 wurde gerade hinzugefügt oder entfernt, als der Befehl abgebrochen wurde; der nächste, der schreibt, räumt es auf</translation>
+    </message>
+    <message>
+        <source>%1 was left by a command that was killed; the next command that writes clears it</source>
+        <translation>%1 blieb von einem abgebrochenen Befehl übrig; der nächste, der schreibt, räumt es auf</translation>
+    </message>
+    <message>
+        <source>%1 holds what is left of a person whose removal was interrupted; run the removal again</source>
+        <translation>%1 enthält, was von einer Person blieb, deren Entfernung unterbrochen wurde; entfernen Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1 is a virtual person in a campaign of the other kind</source>
+        <translation>%1 ist eine virtuelle Person in einer Kampagne der anderen Art</translation>
+    </message>
+    <message>
+        <source>%1 is a real person in a campaign of the other kind</source>
+        <translation>%1 ist eine wirkliche Person in einer Kampagne der anderen Art</translation>
+    </message>
+    <message>
+        <source>%1 is a session beyond the plan</source>
+        <translation>%1 ist eine Sitzung über den Plan hinaus</translation>
+    </message>
+    <message>
+        <source>%1 is a capture beyond the plan</source>
+        <translation>%1 ist eine Aufnahme über den Plan hinaus</translation>
+    </message>
+    <message>
+        <source>%1 is a link; a campaign holds its files itself</source>
+        <translation>%1 ist ein Verweis; eine Kampagne enthält ihre Dateien selbst</translation>
+    </message>
+    <message>
+        <source>%1 does not belong to the campaign; move it away</source>
+        <translation>%1 gehört nicht zur Kampagne; räumen Sie es weg</translation>
+    </message>
+    <message>
+        <source>without a calibration it cannot be told whether a hand is there and each laser is the right one</source>
+        <translation>ohne Kalibrierung lässt sich nicht sagen, ob eine Hand da ist und jeder Laser der richtige ist</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QCoreApplication>
+
+#include "studio/library_texts.h"
+
+namespace dorsum {
+namespace {
+
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): long sentences are several literals
+constexpr const char* kTexts[] = {
+    // Files and folders (base/files.h), and what the system says of them.
+    QT_TRANSLATE_NOOP("library",
+                      "cannot write %1: %2; choose a folder that you may write to and that has room"),
+    QT_TRANSLATE_NOOP("library", "cannot write %1: %2; make room or choose a folder that you may write to"),
+    QT_TRANSLATE_NOOP("library", "cannot write %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot write to %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot write to %1: it is a file, and a folder is needed"),
+    QT_TRANSLATE_NOOP("library", "cannot write %1: it is a folder; name a file in it"),
+    QT_TRANSLATE_NOOP("library", "cannot write %1: there is no folder %2; make it, or choose another"),
+    QT_TRANSLATE_NOOP("library",
+                      "cannot write the calibration to %1: its report takes that name; name a .json file"),
+    QT_TRANSLATE_NOOP("library", "cannot read %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot read the folder %1: %2"),
+    QT_TRANSLATE_NOOP("library", "the folder %1 cannot be read: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot make the folder %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot rename %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot remove %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot replace %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot put back %1: %2"),
+    QT_TRANSLATE_NOOP("library", "cannot set the time of %1: %2"),
+    QT_TRANSLATE_NOOP("library", "there is no file %1"),
+    QT_TRANSLATE_NOOP("library", "%1 is not a file"),
+    QT_TRANSLATE_NOOP("library", "%1 is %2 bytes; at most %3 are expected here"),
+    QT_TRANSLATE_NOOP("library", "%1 cannot be written to"),
+    QT_TRANSLATE_NOOP("library", "choose another folder, or ask for the right to write there"),
+    QT_TRANSLATE_NOOP("library", "Permission denied"),
+    QT_TRANSLATE_NOOP("library", "Operation not permitted"),
+    QT_TRANSLATE_NOOP("library", "No space left on device"),
+    QT_TRANSLATE_NOOP("library", "Disk quota exceeded"),
+    QT_TRANSLATE_NOOP("library", "File too large"),
+    QT_TRANSLATE_NOOP("library", "No such file or directory"),
+    QT_TRANSLATE_NOOP("library", "File exists"),
+    QT_TRANSLATE_NOOP("library", "Is a directory"),
+    QT_TRANSLATE_NOOP("library", "Not a directory"),
+    QT_TRANSLATE_NOOP("library", "Directory not empty"),
+    QT_TRANSLATE_NOOP("library", "File name too long"),
+    QT_TRANSLATE_NOOP("library", "Read-only file system"),
+    QT_TRANSLATE_NOOP("library", "Input/output error"),
+    QT_TRANSLATE_NOOP("library", "Too many open files"),
+    QT_TRANSLATE_NOOP("library", "Stale file handle"),
+    QT_TRANSLATE_NOOP("library", "Device or resource busy"),
+    QT_TRANSLATE_NOOP("library", "No such device"),
+    QT_TRANSLATE_NOOP("library", "No such device or address"),
+    // What is wrong in a JSON or TOML file (base/json.h, captures/device_section.h).
+    QT_TRANSLATE_NOOP("library", "%1 is not valid JSON; write it again or restore it"),
+    QT_TRANSLATE_NOOP("library",
+                      "%1 is not valid JSON (it holds NaN or Infinity); write it again or restore it"),
+    QT_TRANSLATE_NOOP("library", "%1 is not valid JSON; restore it from a copy"),
+    QT_TRANSLATE_NOOP("library", "%1 is not valid JSON; calibrate again"),
+    QT_TRANSLATE_NOOP("library", "%1: a JSON object is expected"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' is missing"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be a number between %3 and %4, not %5"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be a whole number"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be a text"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be true or false"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be a list of %3 numbers"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be a list of numbers"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must hold numbers between %3 and %4, not %5"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be an object"),
+    QT_TRANSLATE_NOOP("library", "%1: '%2' must be a list of at most %3 entries"),
+    QT_TRANSLATE_NOOP("library", "%1 is not a %2 file"),
+    QT_TRANSLATE_NOOP("library", "%1 is not a %2 file but a %3 file"),
+    QT_TRANSLATE_NOOP("library",
+                      "%1: 'version' is %2, newer than this program reads (%3); use a newer program"),
+    QT_TRANSLATE_NOOP("library", "%1, line %2: %3"),
+    QT_TRANSLATE_NOOP("library", "%1: unknown key %2; known here: %3"),
+    QT_TRANSLATE_NOOP("library", "%1: %2 is %3; it must be %4"),
+    QT_TRANSLATE_NOOP("library", "a number from %1 to %2"),
+    QT_TRANSLATE_NOOP("library", "a whole number from %1 to %2"),
+    QT_TRANSLATE_NOOP("library", "a text in quotes"),
+    QT_TRANSLATE_NOOP("library", "a list of %1 numbers from %2 to %3"),
+    QT_TRANSLATE_NOOP("library", "a list of 1 to %1 numbers from %2 to %3"),
+    QT_TRANSLATE_NOOP("library", "0 (left as it is) or from %1 to %2"),
+    QT_TRANSLATE_NOOP("library", "0 (none) or from %1 to %2"),
+    QT_TRANSLATE_NOOP("library", "\"%1\" or \"%2\""),
+    // Surfaces (surface/ply.h, surface/mesh_export.h).
+    QT_TRANSLATE_NOOP("library", "%1: %2; write the file again"),
+    QT_TRANSLATE_NOOP("library", "it is cut off"),
+    QT_TRANSLATE_NOOP("library", "it is not a PLY file"),
+    QT_TRANSLATE_NOOP("library", "its format is %1, not binary_little_endian"),
+    QT_TRANSLATE_NOOP("library", "its header is damaged"),
+    QT_TRANSLATE_NOOP("library", "its vertices have no property '%1'"),
+    QT_TRANSLATE_NOOP("library", "a face has %1 corners"),
+    QT_TRANSLATE_NOOP("library", "it does not begin with vertices"),
+    QT_TRANSLATE_NOOP("library", "point %1 is not a number"),
+    QT_TRANSLATE_NOOP("library", "point %1 has no such laser or order"),
+    QT_TRANSLATE_NOOP("library", "vertex %1 is not a number"),
+    QT_TRANSLATE_NOOP("library", "it has faces that are not triangles"),
+    QT_TRANSLATE_NOOP("library", "a face names a vertex that is not there"),
+    QT_TRANSLATE_NOOP("library", "the surface is empty, so there is no mesh to write to %1"),
+    QT_TRANSLATE_NOOP("library", "the view could not be made a picture"),
+    QT_TRANSLATE_NOOP("library",
+                      "the two places lie on parts of the surface that do not touch; choose two on one part"),
+    QT_TRANSLATE_NOOP("library",
+                      "the two places stand one above the other; choose two that lie side by side"),
+};
+// NOLINTEND(bugprone-suspicious-missing-comma)
+
+}  // namespace
+
+std::span<const char* const> LibraryErrorsOfFiles() { return kTexts; }
+
+}  // namespace dorsum
