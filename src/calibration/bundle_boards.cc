@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "calibration/chessboard.h"
+#include "calibration/opencv_results.h"
 #include "captures/green_channel.h"
 #include "captures/names.h"
 
@@ -25,15 +26,9 @@ Rigid3 PlaceBoard(const Camera& camera, const std::vector<Eigen::Vector3d>& boar
   }
   const cv::Matx33d matrix(camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0);
   const std::vector<double> distortion(camera.distortion.begin(), camera.distortion.end());
-  cv::Mat rvec, tvec, rotation;
+  cv::Mat rvec, tvec;
   cv::solvePnP(object, image, matrix, distortion, rvec, tvec);
-  cv::Rodrigues(rvec, rotation);
-  Rigid3 camera_from_board;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) camera_from_board.rotation(r, c) = rotation.at<double>(r, c);
-    camera_from_board.translation[r] = tvec.at<double>(r);
-  }
-  return camera.camera_from_world.Inverse() * camera_from_board;
+  return camera.camera_from_world.Inverse() * PoseFromSolver(rvec, tvec);
 }
 
 std::vector<Eigen::Vector2d> ToEigen(const std::vector<cv::Point2f>& corners) {

@@ -10,21 +10,11 @@
 
 #include "base/parallel.h"
 #include "calibration/chessboard.h"
+#include "calibration/opencv_results.h"
 #include "captures/green_channel.h"
 
 namespace dorsum {
 namespace {
-
-Rigid3 ToRigid(const cv::Mat& rvec, const cv::Mat& tvec) {
-  cv::Mat rotation;
-  cv::Rodrigues(rvec, rotation);
-  Rigid3 out;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) out.rotation(r, c) = rotation.at<double>(r, c);
-    out.translation[r] = tvec.at<double>(r);
-  }
-  return out;
-}
 
 // The board's rows lie along growing image v, so its own z points away from the camera; ours points towards
 // it.
@@ -40,7 +30,7 @@ double GreatestTurn(const std::vector<cv::Mat>& rvecs) {
   std::vector<Eigen::Vector3d> normals;
   normals.reserve(rvecs.size());
   for (const cv::Mat& rvec : rvecs)
-    normals.emplace_back(ToRigid(rvec, cv::Mat::zeros(3, 1, CV_64F)).rotation.col(2));
+    normals.emplace_back(PoseFromSolver(rvec, cv::Mat::zeros(3, 1, CV_64F)).rotation.col(2));
   double least = 1.0;
   for (const auto& a : normals) {
     for (const auto& b : normals) least = std::min(least, a.dot(b));
@@ -135,12 +125,13 @@ Result<CameraCalibration> CalibrateCamera(const CalibrationSeries& series,
   Camera& camera = out.camera;
   camera.width = series.setup.width;
   camera.height = series.setup.height;
-  camera.fx = matrix.at<double>(0, 0);
-  camera.fy = matrix.at<double>(1, 1);
-  camera.cx = matrix.at<double>(0, 2);
-  camera.cy = matrix.at<double>(1, 2);
-  for (std::size_t i = 0; i < 5; ++i) camera.distortion[i] = distortion.at<double>(static_cast<int>(i));
-  camera.camera_from_world = CameraFromWorld(ToRigid(rvecs[0], tvecs[0]));
+  camera.fx = Settled(matrix.at<double>(0, 0));
+  camera.fy = Settled(matrix.at<double>(1, 1));
+  camera.cx = Settled(matrix.at<double>(0, 2));
+  camera.cy = Settled(matrix.at<double>(1, 2));
+  for (std::size_t i = 0; i < 5; ++i)
+    camera.distortion[i] = Settled(distortion.at<double>(static_cast<int>(i)));
+  camera.camera_from_world = CameraFromWorld(PoseFromSolver(rvecs[0], tvecs[0]));
   if (!std::isfinite(rms) || !camera.Center().allFinite() || camera.Center().z() <= 0.0) {
     return BadInput(
         "the chessboard views do not determine the camera; capture them again with the board tilted "
@@ -152,8 +143,8 @@ Result<CameraCalibration> CalibrateCamera(const CalibrationSeries& series,
         "chess01, "
         "… again with the board tilted differently in each");
   }
-  for (int i = 0; i < view_errors.rows; ++i) out.view_rms_px.push_back(view_errors.at<double>(i));
-  Judge(options, rms, &out);
+  for (int i = 0; i < view_errors.rows; ++i) out.view_rms_px.push_back(Settled(view_errors.at<double>(i)));
+  Judge(options, Settled(rms), &out);
   return out;
 }
 

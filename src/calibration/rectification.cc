@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "calibration/chessboard.h"
+#include "calibration/opencv_results.h"
 
 namespace dorsum {
 namespace {
@@ -49,6 +50,7 @@ Rectification RectifyFromBoard(const Camera& camera, const std::vector<cv::Point
   }
   Rectification r;
   r.plane_from_image = cv::findHomography(image, plane, 0);
+  for (double& h : r.plane_from_image.val) h = Settled(h);
   double spacing = 0.0, square_error = 0.0;
   int pairs = 0;
   for (std::size_t i = 0; i < image.size(); ++i) {
