@@ -30,9 +30,10 @@ std::string BoardCoverage::Missing() const {
       covered.at(static_cast<std::size_t>(corner)) += Covers(column, row) ? 1 : 0;
     }
   }
-  const auto least = std::min_element(covered.begin(), covered.end());
-  if (8 * *least >= kColumns * kRows) return {};
-  return kNames.at(static_cast<std::size_t>(least - covered.begin()));
+  const auto least =
+      static_cast<std::size_t>(std::min_element(covered.begin(), covered.end()) - covered.begin());
+  if (8 * covered.at(least) >= kColumns * kRows) return {};
+  return kNames.at(least);
 }
 
 bool SameView(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b, double min_px) {

@@ -32,6 +32,7 @@ TEST(CornerModel, DerivativesAreThoseOfFiniteDifferences) {
   board.value[1] = -0.2;
   std::array<double, kBoardBowSize> bow{0.1, -0.2, 0.3};
   std::vector<double*> all;
+  all.reserve(lens.value.size() + pose.value.size() + board.value.size() + bow.size());
   for (double& x : lens.value) all.push_back(&x);
   for (double& x : pose.value) all.push_back(&x);
   for (double& x : board.value) all.push_back(&x);

@@ -29,6 +29,7 @@ struct Leaning {
   // In the order of StripeDerivatives.
   std::vector<double*> All() {
     std::vector<double*> all;
+    all.reserve(kStripeSize);
     for (double& x : lens.value) all.push_back(&x);
     for (double& x : pose.value) all.push_back(&x);
     for (double& x : fan.value) all.push_back(&x);

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 class CampaignProgramTest : public ProgramTest {
  protected:
-  ProgramRun Run(std::vector<std::string> words, const std::function<void(pid_t)>& meanwhile = nullptr) {
+  static ProgramRun Run(std::vector<std::string> words,
+                        const std::function<void(pid_t)>& meanwhile = nullptr) {
     words.insert(words.begin(), "campaign");
     return RunProgram(words, meanwhile);
   }

@@ -77,7 +77,7 @@ class CaptureProgramTest : public ProgramTest {
     const std::string camera = "[camera]\n";
     text.insert(text.find(camera) + camera.size(), "source = \"" + server_->url() + "\"\n");
     text += "[controller]\nport = \"" + port + "\"\n";
-    const fs::path path = *this / "device.toml";
+    fs::path path = *this / "device.toml";
     EXPECT_TRUE(WriteFile(path, text).ok());
     return path;
   }

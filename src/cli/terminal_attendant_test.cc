@@ -32,7 +32,7 @@ class TerminalAttendantTest : public ::testing::Test {
   }
   Status Ask(const Context& context = {}) {
     testing::internal::CaptureStderr();
-    const Status status = MakeTerminalAttendant(&session_)->Arrange(
+    Status status = MakeTerminalAttendant(&session_)->Arrange(
         SeriesStep(), "Clear the backplane.",
         [this] {
           ++kept_lit_;

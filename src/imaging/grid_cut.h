@@ -36,7 +36,7 @@ class GridCut {
     int first = -1, direction = 0, second = -1;
   };
 
-  std::size_t Edge(int node, int direction) const {
+  static std::size_t Edge(int node, int direction) {
     return static_cast<std::size_t>(node) * kDirections + static_cast<std::size_t>(direction);
   }
   std::uint8_t& ParentOf(int node) { return parent_[static_cast<std::size_t>(node)]; }

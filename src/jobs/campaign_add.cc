@@ -149,7 +149,7 @@ Result<AddedCapture> AddCapture(const AddCaptureRequest& request, const CaptureM
   const fs::path pictures = begun.work.path() / "pictures";
   const Status made = maker(pictures, context);
   DORSUM_RETURN_IF_ERROR(CheckStillWanted(request));  // rather than that a folder is missing
-  DORSUM_RETURN_IF_ERROR(made);
+  if (!made.ok()) return made.error();
   DORSUM_ASSIGN_OR_RETURN(GatheredPictures gathered, GatherPictures(pictures, begun.device, request.source));
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   DORSUM_ASSIGN_OR_RETURN(const CampaignLock lock,

@@ -132,13 +132,13 @@ TEST_F(CampaignAddFaultsTest, ADiskThatIsFullAtAnyStepLeavesTheCampaignAsItWas) 
     FullDisk disk(std::size_t{1} << 30);
     ExpectRefused(
         [&] {
-          const auto added = AddCapture(Wanted(),
-                                        [&](const fs::path& folder, const Context& context) {
-                                          const Status made = Noise(3)(folder, context);
-                                          disk.Set(room);
-                                          return made;
-                                        },
-                                        {});
+          auto added = AddCapture(Wanted(),
+                                  [&](const fs::path& folder, const Context& context) {
+                                    Status made = Noise(3)(folder, context);
+                                    disk.Set(room);
+                                    return made;
+                                  },
+                                  {});
           disk.Set(std::size_t{1} << 30);
           return added;
         },

@@ -110,7 +110,7 @@ TEST_F(CampaignVerifyTest, AChangedCampaignOrPersonFileIsFound) {
   for (const fs::path& path : {dir_ / kCampaignJson, PersonFolder(dir_, "p01") / kPersonJson}) {
     const std::string text = *ReadFile(path);
     std::string changed = text;
-    const std::size_t digit = text.find("2");
+    const std::size_t digit = text.find('2');
     changed[digit] = '3';
     std::ofstream(path, std::ios::binary) << changed;
     ExpectOneFinding(path.string(), "its checksum is wrong");

@@ -136,7 +136,7 @@ Result<TakenCapture> TakeCapture(Device& device, const CaptureRequest& request,
   Result<CaptureImages> images = session.Take(lasers, calibration);
   const Status off = device.lights->Set({});
   if (!images.ok()) return images.error();
-  DORSUM_RETURN_IF_ERROR(off);
+  if (!off.ok()) return off.error();
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   return TakenCapture{std::move(images).value(), session.retried()};
 }

@@ -116,7 +116,7 @@ class Examination {
 
 Status LookAtPictures(Device& device, const ReadyCalibration* calibration, const Context& context,
                       std::vector<DoctorFinding>* findings) {
-  const Status status = Examination(device, calibration, context, findings).Run();
+  Status status = Examination(device, calibration, context, findings).Run();
   if (const Status off = device.lights->Set({}); !off.ok()) {
     findings->push_back({Health::kBroken, "light controller", off.error().message, ""});
   }

@@ -92,7 +92,10 @@ cv::Mat FindBusyPart(const std::vector<LaserStripes>& surveyed, const DeviceOrde
   const int count = std::max(0, (unchanged.rows - kSurveyedRows.first + kCell - 1) / kCell);
   const int cols = (unchanged.cols + kCell - 1) / kCell;
   cv::Mat1b rows(std::max(1, count), cols, std::uint8_t{0}), cells(count + 1, cols, std::uint8_t{0});
-  if (count == 0) return cv::Mat(unchanged.size(), CV_8UC1, cv::Scalar(255));
+  if (count == 0) {
+    cv::Mat all(unchanged.size(), CV_8UC1, cv::Scalar(255));
+    return all;
+  }
   for (const LaserStripes& one : surveyed) {
     const LaserGeometry* laser = orders.device().FindLaser(one.laser);
     auto next = one.points.begin();

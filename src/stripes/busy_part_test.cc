@@ -40,6 +40,7 @@ class BusyPartTest : public ::testing::Test {
   template <class Height>
   cv::Mat Busy(const Height& height, int lasers = 2) const {
     std::vector<LaserStripes> all;
+    all.reserve(static_cast<std::size_t>(lasers));
     for (int k = 0; k < lasers; ++k) all.push_back(Surveyed(orders_, k, height));
     return FindBusyPart(all, orders_, unchanged_, {});
   }

@@ -35,6 +35,7 @@ Outcome Compare(const std::vector<TrueStripes>& truth, const IndexedStripes& ind
 
 std::vector<LaserStripes> Stripes(const std::vector<TrueStripes>& truth) {
   std::vector<LaserStripes> stripes;
+  stripes.reserve(truth.size());
   for (const TrueStripes& t : truth) stripes.push_back(t.stripes);
   return stripes;
 }

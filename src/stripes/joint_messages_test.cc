@@ -21,6 +21,7 @@ struct RandomGraph {
       p.samples.push_back({static_cast<float>(10 * i), 0.0F});
       pieces.push_back(p);
       std::vector<float> unary;
+      unary.reserve(static_cast<std::size_t>(p.candidates));
       for (int k = 0; k < p.candidates; ++k) unary.push_back(static_cast<float>(rng.Uniform()));
       graph.unary.push_back(unary);
     }

@@ -14,7 +14,7 @@ namespace {
 std::vector<JointPiece> Cut(const std::function<double(int row)>& column) {
   const DeviceGeometry device = FanDevice(1);
   std::vector<LaserStripes> stripes(1);
-  AddStripe(&stripes[0], 100, 300, column);
+  AddStripe(stripes.data(), 100, 300, column);
   return CutPieces(stripes, DeviceOrders(device), {}, {});
 }
 

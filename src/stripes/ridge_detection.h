@@ -35,10 +35,10 @@ struct RowComb {
 // evidence, and filtered along the row with the least-squares estimate of the amplitude of a Gaussian on
 // an even background; its local maxima above the noise are the candidates. Where two stand closer than two
 // widths without a dip between them, the stronger stays. `green` is CV_8UC1; `region` CV_8UC1 or empty.
-// Looks at `rows` only; the others have no candidates.
+// Looks at the rows of `comb` only; the others have no candidates.
 std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, const cv::Mat& region,
                                                       const NoiseModel& noise,
                                                       const RidgeDetectionOptions& options,
-                                                      const Context& context, const RowComb& rows = {});
+                                                      const Context& context, const RowComb& comb = {});
 
 }  // namespace dorsum

@@ -37,9 +37,9 @@ std::vector<double> WidthsAlong(const LaserStripes& one, const StripeSegment& se
     for (std::int32_t i = first; i < end; ++i) {
       near[static_cast<std::size_t>(i - first)] = one.points[static_cast<std::size_t>(i)].width;
     }
-    const auto middle = near.begin() + (end - first) / 2;
-    std::nth_element(near.begin(), middle, near.begin() + (end - first));
-    widths.push_back(static_cast<double>(*middle));
+    const auto middle = static_cast<std::size_t>(end - first) / 2;
+    std::nth_element(near.begin(), near.begin() + middle, near.begin() + (end - first));
+    widths.push_back(static_cast<double>(near[middle]));
   }
   return widths;
 }

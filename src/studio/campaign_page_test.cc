@@ -125,7 +125,7 @@ TEST_F(CampaignPageTest, ADeviceThatIsUnpluggedIsSaidAndNothingIsStored) {
   workbench_.device().Open(DeviceFile());
   ASSERT_TRUE(opened.wait(kPatience_ms));
   WithHooks([](DeviceHooks& hooks) {
-    hooks.frame = [](int, Result<Frame>) -> Result<Frame> {
+    hooks.frame = [](int, const Result<Frame>&) -> Result<Frame> {
       return DeviceError("the camera is gone; plug it in again");
     };
   });

@@ -61,7 +61,7 @@ DeviceModel::DeviceModel(Workbench* workbench, double hand_limit_s, QObject* par
   if (device.facts()) switches_ = SwitchesOf(device.facts()->description);
 }
 
-QStringList DeviceModel::Recent() const {
+QStringList DeviceModel::Recent() {
   QStringList recent = QSettings().value(kRecentKey).toStringList();
   if (!recent.contains("virtual")) recent.append("virtual");
   return recent;

@@ -37,7 +37,7 @@ class DeviceModel : public QObject {
   explicit DeviceModel(Workbench* workbench, double hand_limit_s = 10.0, QObject* parent = nullptr);
 
   // What was opened last, the newest first; the virtual device when there is nothing.
-  QStringList Recent() const;
+  static QStringList Recent();
   void Open(const QString& which);
   void Close();
 

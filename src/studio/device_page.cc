@@ -186,7 +186,7 @@ void DevicePage::ShowDevice() {
   const auto& facts = workbench()->device().facts();
   const QString typed = which_->currentText();
   which_->clear();
-  which_->addItems(model_.Recent());
+  which_->addItems(DeviceModel::Recent());
   which_->setCurrentText(facts             ? QString::fromStdString(facts->name)
                          : typed.isEmpty() ? which_->itemText(0)
                                            : typed);

@@ -130,7 +130,7 @@ TEST_F(DevicePageTest, ADeviceIsOpenedSeenExaminedAndClosed) {
   QTest::mouseClick(Find<QPushButton>(page, "close"), Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !workbench_.device().facts(); }, kPatience_ms));
   EXPECT_EQ(page.findChild<QLabel*>("state")->text(), "No device is open.");
-  EXPECT_EQ(page.model()->Recent().front(), Path());
+  EXPECT_EQ(DeviceModel::Recent().front(), Path());
   EXPECT_EQ(failed_, "");
 }
 

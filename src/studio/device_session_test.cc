@@ -89,7 +89,7 @@ TEST_F(DeviceSessionTest, WithoutADeviceATaskFailsInASentence) {
   std::optional<Error> error;
   session_.Run<int>(
       "task", [](Device&, const Context&) -> Result<int> { return 1; },
-      [&](Result<int> value) { error = value.error(); });
+      [&](const Result<int>& value) { error = value.error(); });
   ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kPatience_ms));
   EXPECT_EQ(error->code, ErrorCode::kDevice);
 }
@@ -103,7 +103,7 @@ TEST_F(DeviceSessionTest, ATaskThatRunsCanBeCancelled) {
         while (!context.IsCancelled()) std::this_thread::yield();
         return Cancelled();
       },
-      [&](Result<int> value) { error = value.error(); });
+      [&](const Result<int>& value) { error = value.error(); });
   QTest::qWait(20);
   session_.Cancel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return error.has_value(); }, kPatience_ms));

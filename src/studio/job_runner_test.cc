@@ -46,7 +46,7 @@ TEST(JobRunner, AJobThatRunsCanBeCancelledAndAnotherRun) {
           while (!context.IsCancelled()) std::this_thread::yield();
           return Cancelled();
         },
-        [&](Result<int> result) { code = result.error().code; });
+        [&](const Result<int>& result) { code = result.error().code; });
     runner.Cancel();
     ASSERT_TRUE(finished.wait(kPatience_ms));
     EXPECT_EQ(code, ErrorCode::kCancelled);
@@ -75,8 +75,8 @@ TEST(JobRunner, OneJobAtATime) {
     while (!context.IsCancelled()) std::this_thread::yield();
     return Cancelled();
   };
-  runner.Run<int>("one", endless, [](Result<int>) {});
-  EXPECT_THROW(runner.Run<int>("two", endless, [](Result<int>) {}), std::logic_error);
+  runner.Run<int>("one", endless, [](const Result<int>&) {});
+  EXPECT_THROW(runner.Run<int>("two", endless, [](const Result<int>&) {}), std::logic_error);
 }
 
 TEST(JobRunner, ItGoesWhileItsJobRuns) {
@@ -89,7 +89,7 @@ TEST(JobRunner, ItGoesWhileItsJobRuns) {
           while (!context.IsCancelled()) std::this_thread::yield();
           return Cancelled();
         },
-        [&](Result<int>) { told = true; });
+        [&](const Result<int>&) { told = true; });
   }
   QTest::qWait(10);
   EXPECT_FALSE(told);

@@ -98,7 +98,7 @@ TEST_F(StagesPageTest, ItWaitsForTheWorkOfOthers) {
         while (!go) std::this_thread::yield();
         return 1;
       },
-      [](Result<int>) {});
+      [](const Result<int>&) {});
   QSignalSpy compared(&page_, &StagesPage::Compared);
   page_.Enter();
   EXPECT_TRUE(View("ours")->words().contains("other work"));
@@ -187,7 +187,8 @@ TEST(StagesPagePicture, TheWindowAtItsUsualSize) {
   window.resize(1280, 800);
   StagesPage* page = nullptr;
   for (int i = 0; i < window.pages(); ++i) {
-    if ((page = qobject_cast<StagesPage*>(window.page(i))) != nullptr) {
+    page = qobject_cast<StagesPage*>(window.page(i));
+    if (page != nullptr) {
       window.ShowPage(i);
       break;
     }

@@ -175,6 +175,7 @@ void SurfaceView::Upload(Layer* layer, const std::vector<SceneVertex>& vertices,
   const QOpenGLVertexArrayObject::Binder binder(&layer->array);
   layer->vertices.bind();
   layer->vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(SceneVertex)));
+  // OpenGL's way to say an offset. NOLINTNEXTLINE(performance-no-int-to-ptr)
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
   constexpr auto kStride = static_cast<GLsizei>(sizeof(SceneVertex));

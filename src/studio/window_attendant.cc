@@ -85,7 +85,7 @@ Status WindowAttendant::WaitForNext(const SeriesStep& step, const std::function<
   }
 }
 
-Status WindowAttendant::Light(const SeriesStep& step, const std::function<Status()>& keep_lit) {
+Status WindowAttendant::Light(const SeriesStep& step, const std::function<Status()>& keep_lit) const {
   if (GuideOf(step, device_.description).any()) {
     DORSUM_RETURN_IF_ERROR(device_.frames->ExposeFor(FrameLight::kLaser));
     return keep_lit();

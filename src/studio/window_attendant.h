@@ -66,7 +66,7 @@ class WindowAttendant : public Attendant {
 
  private:
   Status WaitForNext(const SeriesStep& step, const std::function<Status()>& keep_lit, const Context& context);
-  Status Light(const SeriesStep& step, const std::function<Status()>& keep_lit);
+  Status Light(const SeriesStep& step, const std::function<Status()>& keep_lit) const;
   Status ShowPicture();
 
   Device& device_;

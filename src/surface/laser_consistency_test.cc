@@ -59,6 +59,7 @@ class LaserConsistencyTest : public ::testing::Test {
     SolvePlate(samples_, plate_, &lattice_);
     const std::vector<PlateGrid> grids = MakeGrids(lattice_, 0.47, samples_);
     std::vector<float> weights;
+    weights.reserve(samples_.size());
     for (const PlateSample& s : samples_) weights.push_back(s.weight);
     PlateStack stack(plate_, grids);
     stack.SetSamples(weights, grids);

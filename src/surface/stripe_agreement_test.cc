@@ -27,7 +27,7 @@ class StripeAgreementTest : public ::testing::Test {
     }
     return lifted;
   }
-  std::vector<bool> Find(const Scene& s) {
+  static std::vector<bool> Find(const Scene& s) {
     return FindMisplaced(s.points, Outline(s.mask, 4), {.mm_per_px = 0.48});
   }
 };
