@@ -62,6 +62,25 @@ Result<std::vector<BoardView>> FindLyingBoards(const CalibrationSeries& series, 
   return views;
 }
 
+// Of the pairs that FindLyingBoards() gives: the board on the calibration object lies above the one on the
+// backplane.
+Status CheckClosenessOf(const std::vector<BoardView>& lying, const CalibrationSeries& series,
+                        const Camera& camera, const std::vector<Eigen::Vector3d>& board) {
+  for (std::size_t i = 0; i + 1 < lying.size(); i += 2) {
+    const BoardView &further = lying[i], &closer = lying[i + 1];
+    if (further.corners.empty() || closer.corners.empty()) continue;
+    const auto height = [&](const BoardView& view) {
+      return PlaceBoard(camera, board, view.corners).translation.z();
+    };
+    if (height(closer) > height(further)) continue;
+    return BadInput(
+        "the chessboard under laser " + std::to_string(series.lasers[i / 2]) +
+        " does not lie higher on the calibration object than on the backplane; are the Closer and "
+        "Further images swapped?");
+  }
+  return {};
+}
+
 }  // namespace
 
 Status CollectBoards(const CalibrationSeries& series, const CameraCalibration& camera, const Context& context,
@@ -83,7 +102,7 @@ Status CollectBoards(const CalibrationSeries& series, const CameraCalibration& c
       data->boards.push_back(view);
     }
   }
-  return {};
+  return CheckClosenessOf(lying, series, camera.camera, data->board_points);
 }
 
 BundleState StartOfBoards(const Camera& camera, const BundleData& data) {

@@ -15,7 +15,7 @@ namespace dorsum {
 
 // Adds the series' chessboards to what is adjusted: the views of the camera's calibration, of which the first
 // is the world, and the boards that lay where each laser was observed (§3.2). A lying board that is not seen
-// whole is a warning.
+// whole is a warning; one that lies lower on the calibration object than on the backplane is bad input.
 Status CollectBoards(const CalibrationSeries& series, const CameraCalibration& camera, const Context& context,
                      BundleData* data, std::vector<std::string>* warnings);
 

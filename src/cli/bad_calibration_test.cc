@@ -168,6 +168,11 @@ TEST_F(BadCalibrationTest, CloserAndFurtherImagesSwapped) {
   Refused("both kinds", {"swapped"});
 }
 
+TEST_F(BadCalibrationTest, CloserAndFurtherBoardsOfOneLaserSwapped) {
+  Swap("laser1CalCloserChess", "laser1CalFurtherChess");
+  Refused("the boards alone", {"laser 1", "swapped"});
+}
+
 // Pictures of the wrong kind under a name: no crash, no folder half-written, one sentence if refused.
 TEST_F(BadCalibrationTest, PicturesOfSomethingElse) {
   for (const auto& [image, from] :

@@ -156,6 +156,10 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("library",
                       "the stripes of laser %1 are not closer together on the calibration object than on the "
                       "backplane; are the Closer and Further images swapped?"),
+    QT_TRANSLATE_NOOP(
+        "library",
+        "the chessboard under laser %1 does not lie higher on the calibration object than on the "
+        "backplane; are the Closer and Further images swapped?"),
     QT_TRANSLATE_NOOP("library",
                       "the stripes of laser %1 on the backplane and on the calibration object do not belong "
                       "to one grating; are the Closer and Further images swapped?"),

@@ -3714,6 +3714,10 @@
         <translation>pruhy laseru %1 nejsou na kalibračním tělese blíže u sebe než na podložce; nejsou obrazy Closer a Further zaměněné?</translation>
     </message>
     <message>
+        <source>the chessboard under laser %1 does not lie higher on the calibration object than on the backplane; are the Closer and Further images swapped?</source>
+        <translation>šachovnice pod laserem %1 neleží na kalibračním tělese výš než na podložce; nejsou obrazy Closer a Further zaměněné?</translation>
+    </message>
+    <message>
         <source>the stripes of laser %1 on the backplane and on the calibration object do not belong to one grating; are the Closer and Further images swapped?</source>
         <translation>pruhy laseru %1 na podložce a na kalibračním tělese nepatří k jedné mřížce; nejsou obrazy Closer a Further zaměněné?</translation>
     </message>

@@ -3704,6 +3704,10 @@
         <translation>die Streifen von Laser %1 liegen auf dem Kalibrierkörper nicht enger als auf der Grundplatte; sind die Bilder Closer und Further vertauscht?</translation>
     </message>
     <message>
+        <source>the chessboard under laser %1 does not lie higher on the calibration object than on the backplane; are the Closer and Further images swapped?</source>
+        <translation>das Schachbrett unter Laser %1 liegt auf dem Kalibrierkörper nicht höher als auf der Grundplatte; sind die Bilder Closer und Further vertauscht?</translation>
+    </message>
+    <message>
         <source>the stripes of laser %1 on the backplane and on the calibration object do not belong to one grating; are the Closer and Further images swapped?</source>
         <translation>die Streifen von Laser %1 auf der Grundplatte und auf dem Kalibrierkörper gehören nicht zu einem Gitter; sind die Bilder Closer und Further vertauscht?</translation>
     </message>
