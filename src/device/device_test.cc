@@ -20,7 +20,7 @@ fs::path WriteDevice(const TempFolder& dir, const std::string& source, const std
                            "focal_length_px = 90.0\n[controller]\nport = \"" + port +
                            "\"\n[[laser]]\nposition_mm = [0.0, 0.0, 395.0]\n" +
                            "[[led]]\nposition_mm = [0.0, -520.0, 940.0]\n";
-  const fs::path path = dir / "device.toml";
+  fs::path path = dir / "device.toml";
   EXPECT_TRUE(WriteFile(path, text).ok());
   return path;
 }

@@ -32,6 +32,7 @@ void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask,
   PoolingOptions pooling = options.pooling;
   if (options.shading == "led") {
     std::vector<LaserPicture> own;
+    own.reserve(stripes->lasers.size());
     for (const LaserStripes& one : stripes->lasers) own.push_back(pictures.at(one.laser));
     const SurfaceBrightness brightness(GreenChannel(capture.hand), mask, *stripes,
                                        options.surface_shading.brightness, context);

@@ -115,7 +115,7 @@ class PictureSearch {
 
   // The part of the picture that is not the empty backplane.
   cv::Mat LeaveOutEmpty(std::vector<LaserStripes> surveyed, const cv::Mat& same) {
-    const cv::Mat busy = FindBusyPart(surveyed, orders_, same, {});
+    cv::Mat busy = FindBusyPart(surveyed, orders_, same, {});
     Sink(context_, "stripes/busy", busy);
     out_.empty = busy == 0;
     const cv::Rect picture({}, busy.size());
