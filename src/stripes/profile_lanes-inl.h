@@ -182,10 +182,6 @@ inline void Lanes::Step() {
   for (std::size_t i = 0; i < 10; ++i) Put(matrix[i], &matrix_[i]);
   for (std::size_t i = 0; i < 4; ++i) Put(right[i], &right_[i]);
   Put(hn::IfThenElse(better, there.cost, Get(cost_)), &cost_);
-  Put(u, &u_);
-  Put(width, &width_);
-  Put(amplitude, &amplitude_);
-  Put(background, &background_);
   const V old = Get(damping_);
   V damping = hn::IfThenElse(tried, old * Set(10.0F), old * Set(10.0F) + Set(1e-2F));
   damping = hn::IfThenElse(first, old, hn::IfThenElse(better, old * Set(0.1F), damping));
@@ -227,9 +223,15 @@ inline void Lanes::Step() {
       hn::And(hn::And(hn::Lt(hn::Abs(step[0]), Set(1e-2F)), hn::Lt(hn::Abs(step[1]), Set(2e-2F) * width)),
               hn::Lt(hn::Abs(step[2]), Set(1e-2F) * amplitude + Set(0.05F)));
   Put(hn::IfThenElseZero(small, one), &small_);
+  // A step so small from a place that was weighed needs no weighing of its own.
+  const M last = hn::And(hn::And(better, small), sane);
+  Put(hn::IfThenElse(last, next_u, u), &u_);
+  Put(hn::IfThenElse(last, next_width, width), &width_);
+  Put(hn::IfThenElse(last, next_amplitude, amplitude), &amplitude_);
+  Put(hn::IfThenElse(last, next_background, background), &background_);
 
   Floats is_settled, is_stuck, was_tried, is_solvable;
-  Put(hn::IfThenElseZero(settled, one), &is_settled);
+  Put(hn::IfThenElseZero(hn::Or(settled, last), one), &is_settled);
   Put(hn::IfThenElseZero(stuck, one), &is_stuck);
   Put(hn::IfThenElseZero(tried, one), &was_tried);
   Put(hn::IfThenElseZero(solvable, one), &is_solvable);
