@@ -36,9 +36,11 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
     const double count = static_cast<double>(last - first) + 1.0;
     double mean_v = 0.0, mean_level = 0.0;
     for (std::ptrdiff_t i = first; i <= last; ++i) {
-      mean_v += static_cast<double>(points[static_cast<std::size_t>(i)].v) / count;
-      mean_level += level[static_cast<std::size_t>(i)] / count;
+      mean_v += static_cast<double>(points[static_cast<std::size_t>(i)].v);
+      mean_level += level[static_cast<std::size_t>(i)];
     }
+    mean_v /= count;
+    mean_level /= count;
     double vv = 0.0, vl = 0.0, ll = 0.0;
     for (std::ptrdiff_t i = first; i <= last; ++i) {
       const double v = static_cast<double>(points[static_cast<std::size_t>(i)].v) - mean_v;
@@ -59,9 +61,8 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
     const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, k - options.wide_half_rows);
     const std::ptrdiff_t last = std::min<std::ptrdiff_t>(n - 1, k + options.wide_half_rows);
     double mean = 0.0;
-    for (std::ptrdiff_t i = first; i <= last; ++i) {
-      mean += squares[static_cast<std::size_t>(i)] / (static_cast<double>(last - first) + 1.0);
-    }
+    for (std::ptrdiff_t i = first; i <= last; ++i) mean += squares[static_cast<std::size_t>(i)];
+    mean /= static_cast<double>(last - first) + 1.0;
     const double own = sure[static_cast<std::size_t>(k)];
     pull[static_cast<std::size_t>(k)] =
         options.across_share * width * width * std::sqrt(std::max({0.0, own, mean}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -16,12 +17,15 @@ struct StripeCurve {
   // the round edge of an object, u goes with the square root of the distance to the end: a straight line in
   // it.
   std::vector<double> angle;
-  std::vector<double> sd;  // px, of the single row
+  std::vector<double> sd, weight;  // px, of the single row; 1 / sd^2
   std::vector<char> use;   // 0: left out of every pool
 };
 
-// One curve per segment.
+// One curve per segment, without angles.
 std::vector<StripeCurve> CurvesOf(const LaserStripes& stripes);
+
+// What local regression needs besides.
+void MeasureAngles(StripeCurve* curve);
 
 // Correlation of the errors of two rows k > 0 apart: share * decay^k. A share below 1 leaves some noise to
 // each row alone; above 1, neighbours are more alike than an exponential has it, as speckle's are.
@@ -36,9 +40,26 @@ struct LocalEstimate {
   double u = 0.0, sd = 0.0;  // px
 };
 
-// Weighted least-squares quadratic through the usable points [first, last] around point k, evaluated there,
-// and its standard deviation when errors of neighbouring rows are correlated.
-LocalEstimate FitLocally(const StripeCurve& curve, std::size_t first, std::size_t last, std::size_t k,
-                         const RowCorrelation& correlation);
+// Weighted least-squares quadratics through the usable points of a growing window around point k, evaluated
+// there.
+class LocalQuadratic {
+ public:
+  LocalQuadratic(const StripeCurve& curve, std::size_t k) : curve_(curve), k_(k), first_(k), end_(k) {}
+
+  // Widens the window to [first, last], which holds all that it held before and k.
+  void Widen(std::size_t first, std::size_t last);
+
+  // The estimate and its standard deviation when errors of neighbouring rows are correlated.
+  LocalEstimate Estimate(const RowCorrelation& correlation) const;
+
+ private:
+  void Add(std::size_t i);
+
+  const StripeCurve& curve_;
+  std::size_t k_, first_, end_;
+  std::array<double, 5> moments_{};  // of the angle from point k
+  std::array<double, 3> right_{};
+  int count_ = 0;
+};
 
 }  // namespace dorsum

@@ -37,6 +37,25 @@ Levels LevelsOnObject(const LaserStripes& one, const cv::Mat& smooth, int min_ro
   return levels;
 }
 
+// The picture, smoothed as far as stripes reach.
+cv::Mat SmoothAround(const IndexedStripes& stripes, const cv::Mat& green) {
+  float left = 1e9F, right = -1e9F, top = 1e9F, bottom = -1e9F;
+  for (const LaserStripes& one : stripes.lasers) {
+    for (const StripeSegment& s : one.segments) {
+      left = std::min(left, s.min_u);
+      right = std::max(right, s.max_u);
+      top = std::min(top, s.min_v);
+      bottom = std::max(bottom, s.max_v);
+    }
+  }
+  cv::Mat smooth(green.size(), CV_8UC1);
+  const cv::Rect part = cv::Rect(cv::Point(cvRound(left), cvRound(top)),
+                                 cv::Point(cvRound(right) + 1, cvRound(bottom) + 1)) &
+                        cv::Rect({}, green.size());
+  if (left <= right && !part.empty()) cv::blur(green(part), smooth(part), {5, 5});
+  return smooth;
+}
+
 Levels LevelsOnBackplane(const LaserGeometry& laser) {
   Levels levels;
   for (const ReferenceStripe& r : laser.reference) {
@@ -73,8 +92,7 @@ double Deviation(const Levels& object, const Levels& backplane, int shift, int m
 
 OrderShift FindOrderShift(const IndexedStripes& stripes, const cv::Mat& green, const DeviceGeometry& device,
                           const OrderShiftOptions& options) {
-  cv::Mat smooth;
-  if (!green.empty()) cv::blur(green, smooth, {5, 5});
+  const cv::Mat smooth = SmoothAround(stripes, green);
   std::map<int, double> sums;  // of the lasers' deviations, by shift
   OrderShift out;
   for (const LaserStripes& one : stripes.lasers) {

@@ -42,10 +42,12 @@ Choice ChooseWindow(const StripeCurve& curve, std::size_t k, const std::vector<i
                     std::vector<LocalEstimate>* tried) {
   Choice choice;
   tried->clear();
+  LocalQuadratic window(curve, k);
   for (const int half : sizes) {
     const auto h = static_cast<std::size_t>(half);
     const std::size_t first = k > h ? k - h : 0, last = std::min(curve.v.size() - 1, k + h);
-    LocalEstimate fit = FitLocally(curve, first, last, k, noise.correlation);
+    window.Widen(first, last);
+    LocalEstimate fit = window.Estimate(noise.correlation);
     if (!fit.ok) continue;
     fit.sd *= scale;
     bool agrees = true;
@@ -69,7 +71,8 @@ LaserStripes PoolAlongStripes(LaserStripes stripes, const PoolingOptions& option
                                            (1.0 - noise.correlation.decay));
   ParallelFor(context, 0, static_cast<std::int64_t>(curves.size()), [&](std::int64_t n) {
     const auto i = static_cast<std::size_t>(n);
-    const StripeCurve& curve = curves[i];
+    StripeCurve& curve = curves[i];
+    MeasureAngles(&curve);
     std::vector<LocalEstimate> tried;
     const auto from = stripes.points.begin() + stripes.segments[i].first;
     const std::vector<double> pull =

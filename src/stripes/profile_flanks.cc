@@ -36,38 +36,30 @@ void AddProfile(const std::uint8_t* row, int cols, double u, int sign, Sums* sum
   for (std::size_t i = 0; i < kColumns; ++i) (*sum)[i] += left * from[i] + right * from[i + 1];
 }
 
-double FallToHalf(const std::array<double, kColumns>& sum, std::size_t peak, int step) {
+double FallToHalf(const Sums& sum, int peak, int step) {
+  const auto at = [&](int i) { return sum[static_cast<std::size_t>(peak + step * i)]; };
+  const int reach = std::min(kReach, step < 0 ? peak : static_cast<int>(kColumns) - 1 - peak);
   // The background beside a stripe's foot, no further away than the next stripe's valley.
-  double low = sum[peak];
-  for (int i = 1; i <= kReach; ++i) {
-    const int at = static_cast<int>(peak) + step * i;
-    if (at < 0 || at >= static_cast<int>(kColumns)) break;
-    low = std::min(low, sum[static_cast<std::size_t>(at)]);
-  }
-  const double half = 0.5 * (sum[peak] + low);
-  double before = sum[peak];
-  for (int i = 1; i <= kReach; ++i) {
-    const int at = static_cast<int>(peak) + step * i;
-    if (at < 0 || at >= static_cast<int>(kColumns)) break;
-    const double here = sum[static_cast<std::size_t>(at)];
-    if (here <= half) return i - 1.0 + (before - half) / std::max(1e-9, before - here);
-    before = here;
+  std::int32_t low = at(0);
+  for (int i = 1; i <= reach; ++i) low = std::min(low, at(i));
+  const std::int32_t twice_half = at(0) + low;
+  for (int i = 1; i <= reach; ++i) {
+    if (2 * at(i) > twice_half) continue;
+    const double before = at(i - 1), half = 0.5 * twice_half;
+    return i - 1.0 + (before - half) / std::max(1e-9, before - at(i));
   }
   return kReach;
 }
 
-ProfileFlanks FlanksOf(const Sums& whole) {
-  std::array<double, kColumns> sum;
-  for (std::size_t i = 0; i < kColumns; ++i) sum[i] = whole[i];
+ProfileFlanks FlanksOf(const Sums& sum) {
   auto peak = static_cast<std::size_t>(kReach);
   for (std::size_t i = kReach - 2; i <= kReach + 2; ++i) peak = sum[i] > sum[peak] ? i : peak;
-  const double curve = sum[peak - 1] - 2.0 * sum[peak] + sum[peak + 1];
-  const double shift =
-      curve < 0.0 ? std::clamp(0.5 * (sum[peak - 1] - sum[peak + 1]) / curve, -0.5, 0.5) : 0.0;
+  const double before = sum[peak - 1], after = sum[peak + 1], curve = before - 2.0 * sum[peak] + after;
+  const double shift = curve < 0.0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0.0;
   ProfileFlanks flanks;
   flanks.peak = static_cast<double>(peak) - kReach + shift;
-  flanks.left = FallToHalf(sum, peak, -1) + shift;
-  flanks.right = FallToHalf(sum, peak, 1) - shift;
+  flanks.left = FallToHalf(sum, static_cast<int>(peak), -1) + shift;
+  flanks.right = FallToHalf(sum, static_cast<int>(peak), 1) - shift;
   return flanks;
 }
 

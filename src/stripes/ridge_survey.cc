@@ -8,6 +8,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "base/quick_exp.h"
 
 namespace dorsum {
 namespace {
@@ -72,12 +73,16 @@ RowFindings SurveyRows(const cv::Mat& green, const std::vector<std::vector<Ridge
     out.widths.push_back(static_cast<float>(fit.width));
     const int n = fit.last - fit.first + 1 - fit.clipped;
     if (n < 8) continue;
-    const double freedom = static_cast<double>(n) / (n - 4.0);
+    const auto freedom = static_cast<float>(n / (n - 4.0));
+    const auto u = static_cast<float>(fit.u), narrowness = static_cast<float>(1.0 / fit.width);
+    const auto background = static_cast<float>(fit.background), amplitude = static_cast<float>(fit.amplitude);
     for (int x = fit.first; x <= fit.last; ++x) {
       const std::uint8_t grey = tasks[k].row[x];
       if (grey >= options.saturated_grey) continue;
-      const double model = fit.At(x), r = static_cast<double>(grey) - model;
-      out.samples.push_back({static_cast<float>(model), static_cast<float>(r * r * freedom)});
+      const float t = (static_cast<float>(x) - u) * narrowness;
+      const float model = background + amplitude * QuickExp(std::max(-80.0F, -0.5F * t * t));
+      const float r = static_cast<float>(grey) - model;
+      out.samples.push_back({model, r * r * freedom});
     }
   }
   std::stable_sort(out.points.begin(), out.points.end(), [](const StripePoint& p, const StripePoint& q) {

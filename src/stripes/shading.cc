@@ -30,16 +30,26 @@ std::vector<double> WidthsAlong(const LaserStripes& one, const StripeSegment& se
   constexpr std::int32_t kRows = 7;
   std::vector<double> widths;
   widths.reserve(static_cast<std::size_t>(segment.count));
-  std::array<float, 2 * kRows + 1> near{};
-  for (std::int32_t at = segment.first; at < segment.first + segment.count; ++at) {
-    const std::int32_t first = std::max(segment.first, at - kRows);
-    const std::int32_t end = std::min(segment.first + segment.count, at + kRows + 1);
-    for (std::int32_t i = first; i < end; ++i) {
-      near[static_cast<std::size_t>(i - first)] = one.points[static_cast<std::size_t>(i)].width;
+  std::array<float, 2 * kRows + 1> near{};  // sorted
+  auto* end = near.data();
+  const auto width = [&](std::int32_t row) {
+    return one.points[static_cast<std::size_t>(segment.first + row)].width;
+  };
+  const auto take = [&](float value) {
+    auto* at = std::upper_bound(near.data(), end, value);
+    std::move_backward(at, end, end + 1);
+    *at = value;
+    ++end;
+  };
+  for (std::int32_t row = 0; row < std::min(kRows, segment.count); ++row) take(width(row));
+  for (std::int32_t row = 0; row < segment.count; ++row) {
+    if (row > kRows) {
+      auto* at = std::lower_bound(near.data(), end, width(row - kRows - 1));
+      std::move(at + 1, end, at);
+      --end;
     }
-    const auto middle = static_cast<std::size_t>(end - first) / 2;
-    std::nth_element(near.begin(), near.begin() + middle, near.begin() + (end - first));
-    widths.push_back(static_cast<double>(near[middle]));
+    if (row + kRows < segment.count) take(width(row + kRows));
+    widths.push_back(static_cast<double>(near[static_cast<std::size_t>(end - near.data()) / 2]));
   }
   return widths;
 }
@@ -98,6 +108,7 @@ void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<L
     ParallelFor(context, 0, static_cast<std::int64_t>(one.segments.size()), [&](std::int64_t n) {
       const StripeSegment& segment = one.segments[static_cast<std::size_t>(n)];
       if (!segment.order) return;
+      const std::optional<double> strength = brightness.StrengthOf(one.laser, *segment.order);
       const std::vector<double> widths = WidthsAlong(one, segment);
       const std::vector<ShadedRow> rows =
           FitTwice(one, segment, widths, [&](const std::vector<ShadedRowTask>& tasks) {
@@ -111,7 +122,7 @@ void FitOnShadedSurface(const SurfaceBrightness& brightness, const std::vector<L
           point.u = static_cast<float>(rows[i].profile.u);
           point.sd_px = static_cast<float>(rows[i].profile.sd_u);
         }
-        const auto ratio = brightness.RatioOf(one.laser, *segment.order, measured, widths[i]);
+        const auto ratio = strength ? brightness.RatioOf(*strength, measured, widths[i]) : std::nullopt;
         const auto sd = static_cast<double>(point.sd_px);
         const bool flank = IsFlankOnly(ratio, measured, sd, widths[i], usual_width, options);
         keep[at] = rows[i].measures && !flank ? 1 : 0;

@@ -14,6 +14,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
+#include "base/parallel.h"
+#include "base/quick_exp.h"
 
 namespace dorsum {
 namespace {
@@ -23,16 +25,32 @@ constexpr int kWholeInside = 10;  // px from the outline from where a stripe sho
 constexpr std::size_t kLeastRows = 20;
 
 // The logarithm where the object is whole, smoothed without what lies beyond.
-cv::Mat1f SmoothLogarithm(const cv::Mat& green, const cv::Mat1f& weight, double sd) {
+cv::Mat1f SmoothLogarithm(const cv::Mat& green, const cv::Mat1b& inside, double sd, const Context& context) {
+  constexpr int kRowsTogether = 64;
   std::array<float, 256> logarithm{};
   for (std::size_t g = 0; g < 256; ++g) {
     logarithm[g] = static_cast<float>(std::log(std::max(2.0, static_cast<double>(g))));
   }
-  cv::Mat1f level, share;
-  cv::LUT(green, cv::Mat(1, 256, CV_32F, logarithm.data()), level);
-  cv::GaussianBlur(level.mul(weight), level, {}, sd, sd, cv::BORDER_CONSTANT);
-  cv::GaussianBlur(weight, share, {}, sd, sd, cv::BORDER_CONSTANT);
-  return level / cv::max(share, 1e-6F);
+  cv::Mat1f weight(green.size()), weighted(green.size()), level(green.size());
+  ParallelFor(context, 0, green.rows, [&](std::int64_t row) {
+    const int v = static_cast<int>(row);
+    const auto *grey = green.ptr<std::uint8_t>(v), *in = inside[v];
+    float *w = weight[v], *wl = weighted[v];
+    for (int u = 0; u < green.cols; ++u) {
+      w[u] = in[u] != 0 ? 1.0F : 0.0F;
+      wl[u] = w[u] * logarithm[grey[u]];
+    }
+  });
+  // Rows of a larger picture are smoothed with those beside them.
+  ParallelFor(context, 0, (green.rows + kRowsTogether - 1) / kRowsTogether, [&](std::int64_t block) {
+    const int first = static_cast<int>(block) * kRowsTogether;
+    const cv::Range rows(first, std::min(first + kRowsTogether, green.rows));
+    cv::Mat1f sum, share;
+    cv::GaussianBlur(weighted.rowRange(rows), sum, {}, sd, sd, cv::BORDER_CONSTANT);
+    cv::GaussianBlur(weight.rowRange(rows), share, {}, sd, sd, cv::BORDER_CONSTANT);
+    level.rowRange(rows) = sum / cv::max(share, 1e-6F);
+  });
+  return level;
 }
 
 // What is left of the mask without everything within `margin_px` of its outline; the border of the picture is
@@ -52,9 +70,7 @@ SurfaceBrightness::SurfaceBrightness(const cv::Mat& green, const cv::Mat& mask, 
     : options_(options), part_(cv::boundingRect(mask)) {
   if (part_.empty()) return;
   inside_ = Shrunk(mask(part_), options.margin_px, cv::MORPH_ELLIPSE);
-  cv::Mat1f weight;
-  inside_.convertTo(weight, CV_32F, 1.0 / 255.0);
-  level_ = SmoothLogarithm(green(part_), weight, options.smooth_px);
+  level_ = SmoothLogarithm(green(part_), inside_, options.smooth_px, context);
   Compare(stripes, context);
 }
 
@@ -127,43 +143,57 @@ std::optional<double> SurfaceBrightness::StrengthOf(int laser, int order) const 
   return std::max(own->second, least.value_or(own->second));
 }
 
-std::optional<double> SurfaceBrightness::RatioOf(int laser, int order, const StripePoint& point,
+std::optional<double> SurfaceBrightness::RatioOf(double strength, const StripePoint& point,
                                                  double width_px) const {
-  const std::optional<double> strength = StrengthOf(laser, order);
-  const int v = cvRound(point.v);
-  if (!strength || !part_.contains({cvRound(point.u), v}) || point.peak >= kClippedPeak) return std::nullopt;
+  const cv::Point at(cvRound(point.u), cvRound(point.v));
+  if (!part_.contains(at) || point.peak >= kClippedPeak) return std::nullopt;
   // Light at a step comes from its bright side.
-  const double reach = 1.2 * width_px;
-  double level = 0.0;
-  for (double u = point.u - reach; u <= point.u + reach; u += 0.5) {
-    if (IsInside(cvRound(u), v)) level = std::max(level, LevelAt(u, v));
+  const float *level = level_[at.y - part_.y];
+  const std::uint8_t* inside = inside_[at.y - part_.y];
+  const auto centre = point.u - static_cast<float>(part_.x), last = static_cast<float>(part_.width - 1);
+  const auto level_at = [&](float x) {
+    x = std::clamp(x, 0.0F, last);
+    const int left = static_cast<int>(x), right = std::min(left + 1, part_.width - 1);
+    return level[left] + (x - static_cast<float>(left)) * (level[right] - level[left]);
+  };
+  const auto reach = static_cast<float>(1.2 * width_px);
+  float brightest = 0.0F;
+  for (float x = std::max(centre - reach, -0.5F); x <= std::min(centre + reach, last + 0.49F); x += 0.5F) {
+    const int column = cvRound(x);
+    if (inside[std::clamp(column, 0, part_.width - 1)] != 0) brightest = std::max(brightest, level_at(x));
   }
-  if (level == 0.0) level = LevelAt(static_cast<double>(point.u), v);
-  return std::log(std::max(1.0, static_cast<double>(point.peak))) - level - *strength;
+  if (brightest == 0.0F) brightest = level_at(centre);
+  return std::log(std::max(1.0, static_cast<double>(point.peak))) - static_cast<double>(brightest) - strength;
 }
 
 std::optional<double> SurfaceBrightness::Along(double u, int v, int first, int last, float* gain) const {
-  const auto inside = [&](int x) { return IsInside(x, v); };
+  // The columns that are within the part.
+  const int low = std::max(first, part_.x), high = std::min(last, part_.x + part_.width - 1);
+  const bool crosses = v >= part_.y && v < part_.y + part_.height && low <= high;
+  const std::uint8_t* inside = crosses ? inside_[v - part_.y] - part_.x : nullptr;
   // The column that the others are measured against: the nearest to u that is known.
-  int middle = std::clamp(cvRound(u), first, last);
-  for (int away = 0; away <= last - first && !inside(middle); ++away) {
-    const int next = cvRound(u) + (away % 2 == 0 ? 1 : -1) * (away / 2 + 1);
-    if (next >= first && next <= last && inside(next)) middle = next;
+  const int nearest = cvRound(u);
+  int middle = std::clamp(nearest, first, last);
+  const auto is_known = [&](int x) { return crosses && x >= low && x <= high && inside[x] != 0; };
+  for (int away = 0; away <= last - first && !is_known(middle); ++away) {
+    const int next = nearest + (away % 2 == 0 ? 1 : -1) * (away / 2 + 1);
+    if (is_known(next)) middle = next;
   }
-  if (!inside(middle)) {
+  if (!is_known(middle)) {
     std::fill(gain, gain + (last + 1 - first), 1.0F);
     return std::nullopt;
   }
-  const auto level = static_cast<double>(level_(v - part_.y, middle - part_.x));
-  const RatioSlope slope = ratio_.At(u - part_.x, v - part_.y, level);
-  for (int x = first; x <= last; ++x) {
-    const double change =
-        inside(x) ? (1.0 + slope.of_level) * (static_cast<double>(level_(v - part_.y, x - part_.x)) - level) +
-                        slope.along_u * (x - middle)
-                  : 0.0;
-    gain[x - first] = inside(x) ? static_cast<float>(std::exp(std::clamp(change, -3.0, 3.0))) : 0.0F;
+  std::fill(gain, gain + (low - first), 0.0F);
+  std::fill(gain + (high + 1 - first), gain + (last + 1 - first), 0.0F);
+  const float *level = level_[v - part_.y] - part_.x, there = level[middle];
+  const RatioSlope slope = ratio_.At(u - part_.x, v - part_.y, static_cast<double>(there));
+  const auto of_level = static_cast<float>(1.0 + slope.of_level), along_u = static_cast<float>(slope.along_u);
+  for (int x = low; x <= high; ++x) {
+    const float change = of_level * (level[x] - there) + along_u * static_cast<float>(x - middle);
+    const float there_is = QuickExp(std::min(3.0F, std::max(-3.0F, change)));
+    gain[x - first] = inside[x] != 0 ? there_is : 0.0F;
   }
-  return level;
+  return static_cast<double>(there);
 }
 
 }  // namespace dorsum

@@ -36,14 +36,16 @@ class SurfaceBrightness {
   // returned.
   std::optional<double> Along(double u, int v, int first, int last, float* gain) const;
 
-  // Natural logarithm of a stripe's peak at a point over what that stripe has on a surface as bright as the
-  // brightest place within the stripe's width; none where no stripe shows that, or off the object.
-  std::optional<double> RatioOf(int laser, int order, const StripePoint& point, double width_px) const;
+  // Natural logarithm of a stripe's peak over the surface's brightness; none where no stripe shows that.
+  std::optional<double> StrengthOf(int laser, int order) const;
+
+  // Natural logarithm of a stripe's peak at a point over what a stripe of that strength has on a surface as
+  // bright as the brightest place within the stripe's width; none off the object.
+  std::optional<double> RatioOf(double strength, const StripePoint& point, double width_px) const;
 
  private:
   bool IsInside(int u, int v) const;
   double LevelAt(double u, int v) const;
-  std::optional<double> StrengthOf(int laser, int order) const;
   void Compare(const IndexedStripes& stripes, const Context& context);
 
   SurfaceBrightnessOptions options_;

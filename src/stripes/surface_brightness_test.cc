@@ -64,14 +64,14 @@ TEST(SurfaceBrightness, TellsHowDarkAPointIsForItsStripe) {
   const IndexedStripes stripes = scene.Stripes(All);
   const SurfaceBrightness bright(scene.led, scene.mask, stripes, {});
   StripePoint p = stripes.lasers[0].points[300];
-  EXPECT_NEAR(bright.RatioOf(0, 2, p, 2.0).value_or(9.0), 0.0, 0.05);
+  const double strength = bright.StrengthOf(0, 2).value_or(9.0);
+  EXPECT_NEAR(bright.RatioOf(strength, p, 2.0).value_or(9.0), 0.0, 0.05);
   p.peak *= 0.5F;
-  EXPECT_NEAR(bright.RatioOf(0, 2, p, 2.0).value_or(9.0), std::log(0.5), 0.05);
-  EXPECT_NEAR(bright.RatioOf(0, 12, p, 2.0).value_or(9.0), std::log(0.5) + 0.2,
-              0.05);  // beyond the last order
-  EXPECT_FALSE(bright.RatioOf(7, 2, p, 2.0).has_value());
+  EXPECT_NEAR(bright.RatioOf(strength, p, 2.0).value_or(9.0), std::log(0.5), 0.05);
+  EXPECT_NEAR(bright.StrengthOf(0, 12).value_or(9.0), strength - 0.2, 0.05);  // beyond the last order
+  EXPECT_FALSE(bright.StrengthOf(7, 2).has_value());
   p.u = 1.0F;
-  EXPECT_FALSE(bright.RatioOf(0, 2, p, 2.0).has_value());
+  EXPECT_FALSE(bright.RatioOf(strength, p, 2.0).has_value());
 }
 
 TEST(SurfaceBrightness, NoObjectIsNoHarm) {
