@@ -6,8 +6,8 @@
 
 namespace dorsum {
 
-// exp of -87 to 88 to about 2e-7 of it, by its series around the nearest power of 2. Without branches or calls,
-// so that loops over it are vectorised, and the same on every machine.
+// exp of -87 to 88 to about 2e-7 of it, by its series around the nearest power of 2. Without branches or
+// calls, so that loops over it are vectorised, and the same on every machine.
 inline float QuickExp(float x) {
   constexpr float kRound = 12582912.0F;  // 1.5 * 2^23: what is added to it loses its fraction
   const float shifted = x * 1.44269504F + kRound;

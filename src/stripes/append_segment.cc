@@ -16,16 +16,16 @@ void AppendSegment(std::span<const StripePoint> points, std::optional<int> order
   s.min_v = points.front().v;
   s.max_v = points.back().v;
   double peaks = 0.0;
+  out->points.insert(out->points.end(), points.begin(), points.end());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    StripePoint p = points[i];
     const auto index = s.first + static_cast<std::int32_t>(i);
+    StripePoint& p = out->points[static_cast<std::size_t>(index)];
     p.segment = static_cast<std::int32_t>(out->segments.size());
     p.top = i > 0 ? index - 1 : kNoPoint;
     p.bottom = i + 1 < points.size() ? index + 1 : kNoPoint;
     s.min_u = std::min(s.min_u, p.u);
     s.max_u = std::max(s.max_u, p.u);
     peaks += p.peak;
-    out->points.push_back(p);
   }
   s.mean_peak = static_cast<float>(peaks / static_cast<double>(points.size()));
   out->segments.push_back(s);
@@ -35,6 +35,7 @@ LaserStripes KeepPoints(const LaserStripes& stripes, std::span<const char> keep)
   if (keep.size() != stripes.points.size()) throw std::logic_error("KeepPoints: one entry per point");
   LaserStripes out;
   out.laser = stripes.laser;
+  out.points.reserve(stripes.points.size());
   for (const StripeSegment& s : stripes.segments) {
     const auto first = static_cast<std::size_t>(s.first), end = first + static_cast<std::size_t>(s.count);
     for (std::size_t begin = first; begin < end;) {

@@ -38,9 +38,10 @@ class BrightnessRatio {
  private:
   RatioSlope Fit(int cell_x, int cell_y, float level) const;
 
-  int reach_ = 0;                         // of the window, in cells
-  std::vector<float> window_;             // weights of the cells in it, by rows
-  cv::Mat1f ratio_, level_, weight_;      // means of the cells' samples, and their number
+  int reach_ = 0;     // of the window, in cells
+  cv::Mat1f window_;  // weights of the cells in it; whole lanes, the last filled up with 0
+  cv::Size cells_;
+  cv::Mat1f ratio_, level_, weight_;  // means of the cells' samples, and their number; `reach_` before them
   std::vector<RatioSlope> with_samples_;  // of all cells, known where they have samples
 };
 

@@ -3,48 +3,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
 namespace dorsum {
 namespace {
 
+constexpr std::size_t kLanes = 4;  // candidates that are worked on together
+constexpr float kNever =
+    1e30F;  // cost of what fills up the lanes: more than all others, and of no digit of theirs
+
 // One end of an edge, seen from its piece.
 struct End {
-  std::size_t other = 0;                     // the piece at the other end
-  std::size_t in = 0, out = 0;               // where its messages to this piece and back begin
-  std::size_t cost = 0;                      // where the edge's costs begin
-  std::size_t own_step = 0, other_step = 0;  // from one candidate to the next in that table
+  std::uint32_t other = 0;        // the piece at the other end
+  std::uint32_t in = 0, out = 0;  // where its messages to this piece and back begin
+  std::uint32_t cost = 0;         // where the edge's costs begin, by candidate of this piece
 };
 
-// The graph in flat arrays, with its pieces in the order of the sweeps.
+// The graph in flat arrays, with its pieces in the order of the sweeps. Whatever belongs to a piece's
+// candidates takes as many places for each piece.
 class Messages {
  public:
   Messages(const std::vector<JointPiece>& pieces, const JointGraph& graph) : ends_(pieces.size()) {
-    std::vector<std::size_t> order(pieces.size()), place(pieces.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> place(pieces.size());
+    order_.resize(pieces.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
     const auto column = [&](std::size_t i) {
       const auto& s = pieces[i].samples;
       return s.empty() ? 0.0F : s[s.size() / 2].u;
     };
-    std::stable_sort(order.begin(), order.end(),
+    std::stable_sort(order_.begin(), order_.end(),
                      [&](std::size_t a, std::size_t b) { return column(a) < column(b); });
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      place[order[k]] = k;
-      unary_.push_back(graph.unary[order[k]]);
+    std::size_t most = 1;
+    for (const auto& costs : graph.unary) most = std::max(most, costs.size());
+    wide_ = (most + kLanes - 1) / kLanes * kLanes;
+    unary_.assign(pieces.size() * wide_, kNever);
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      place[order_[k]] = k;
+      const std::vector<float>& costs = graph.unary[order_[k]];
+      std::copy(costs.begin(), costs.end(), &unary_[k * wide_]);
+      candidates_.push_back(costs.size());
     }
+    messages_.reserve(2 * graph.edges.size() * wide_);
     for (const JointEdge& e : graph.edges) {
       const std::size_t a = place[static_cast<std::size_t>(e.first)],
                         b = place[static_cast<std::size_t>(e.second)];
-      const std::size_t n = unary_[a].size(), m = unary_[b].size();
+      const std::size_t n = candidates_[a], m = candidates_[b];
       if (n == 0 || m == 0) continue;
-      const std::size_t to_a = messages_.size(), to_b = to_a + n, cost = costs_.size();
-      messages_.resize(to_b + m, 0.0F);
-      for (std::size_t k = 0; k < n * m; ++k) costs_.push_back(e.heights[k] + e.orders[k]);
-      ends_[a].push_back({b, to_a, to_b, cost, m, 1});
-      ends_[b].push_back({a, to_b, to_a, cost, 1, m});
+      const std::size_t to_a = AddMessage(n), to_b = AddMessage(m);
+      const std::size_t from_a = costs_.size(), from_b = from_a + n * wide_;
+      costs_.resize(from_b + m * wide_, kNever);
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < m; ++j) {
+          costs_[from_a + i * wide_ + j] = costs_[from_b + j * wide_ + i] =
+              e.heights[i * m + j] + e.orders[i * m + j];
+        }
+      }
+      ends_[a].push_back({U(b), U(to_a), U(to_b), U(from_a)});
+      ends_[b].push_back({U(a), U(to_b), U(to_a), U(from_b)});
     }
-    order_ = std::move(order);
+    belief_.resize(wide_);
+    fresh_.resize(wide_);
   }
 
   // Sends messages from all pieces to their neighbours on one side; the largest change.
@@ -60,14 +80,12 @@ class Messages {
   std::vector<int> Choose() const {
     std::vector<int> chosen(ends_.size(), -1), by_piece(ends_.size(), -1);
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      if (unary_[i].empty()) continue;
-      std::vector<float> cost = unary_[i];
+      if (candidates_[i] == 0) continue;
+      std::vector<float> cost(&unary_[i * wide_], &unary_[i * wide_] + candidates_[i]);
       for (const End& e : ends_[i]) {
         for (std::size_t a = 0; a < cost.size(); ++a) {
-          cost[a] +=
-              e.other < i
-                  ? costs_[e.cost + a * e.own_step + static_cast<std::size_t>(chosen[e.other]) * e.other_step]
-                  : messages_[e.in + a];
+          cost[a] += e.other < i ? costs_[e.cost + a * wide_ + static_cast<std::size_t>(chosen[e.other])]
+                                 : messages_[e.in + a];
         }
       }
       chosen[i] = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
@@ -77,38 +95,60 @@ class Messages {
   }
 
  private:
+  static std::uint32_t U(std::size_t i) { return static_cast<std::uint32_t>(i); }
+
+  std::size_t AddMessage(std::size_t candidates) {
+    const std::size_t at = messages_.size();
+    messages_.resize(at + wide_, kNever);
+    std::fill_n(&messages_[at], candidates, 0.0F);
+    return at;
+  }
+
+  // Calls body(place) for all lanes' places, in steps that are vectorised.
+  template <class Body>
+  void ForLanes(const Body& body) const {
+    for (std::size_t first = 0; first < wide_; first += kLanes) {
+      for (std::size_t b = first; b < first + kLanes; ++b) body(b);
+    }
+  }
+
   float SendFrom(std::size_t i, bool ahead) {
-    belief_ = unary_[i];
-    const std::size_t n = belief_.size();
+    float *belief = belief_.data(), *fresh = fresh_.data();
+    ForLanes([&](std::size_t a) { belief[a] = unary_[i * wide_ + a]; });
+    const std::size_t n = candidates_[i];
     int before = 0, behind = 0;
     for (const End& e : ends_[i]) {
-      for (std::size_t a = 0; a < n; ++a) belief_[a] += messages_[e.in + a];
+      const float* in = &messages_[e.in];
+      ForLanes([&](std::size_t a) { belief[a] += in[a]; });
       ++(e.other < i ? before : behind);
     }
     const float share = 1.0F / static_cast<float>(std::max({before, behind, 1}));
-    for (float& b : belief_) b *= share;
+    ForLanes([&](std::size_t a) { belief[a] *= share; });
     float change = 0.0F;
     for (const End& e : ends_[i]) {
       if ((e.other > i) != ahead) continue;
-      const std::size_t m = unary_[e.other].size();
-      fresh_.assign(m, std::numeric_limits<float>::max());
-      for (std::size_t a = 0; a < n; ++a) {
-        const float base = belief_[a] - messages_[e.in + a];
-        const float* cost = &costs_[e.cost + a * e.own_step];
-        for (std::size_t b = 0; b < m; ++b) fresh_[b] = std::min(fresh_[b], base + cost[b * e.other_step]);
+      const float *in = &messages_[e.in], *cost = &costs_[e.cost];
+      ForLanes([&](std::size_t b) { fresh[b] = std::numeric_limits<float>::max(); });
+      for (std::size_t a = 0; a < n; ++a, cost += wide_) {
+        const float base = belief[a] - in[a];
+        ForLanes([&](std::size_t b) { fresh[b] = std::min(fresh[b], base + cost[b]); });
       }
-      const float least = *std::min_element(fresh_.begin(), fresh_.end());
-      for (std::size_t b = 0; b < m; ++b) {
-        float& out = messages_[e.out + b];
-        change = std::max(change, std::abs(fresh_[b] - least - out));
-        out = fresh_[b] - least;
+      float least = fresh[0];
+      for (std::size_t b = 1; b < wide_; ++b) least = std::min(least, fresh[b]);
+      float* out = &messages_[e.out];
+      for (std::size_t b = 0; b < wide_; ++b) {
+        const float now = fresh[b] - least;
+        change = std::max(change, std::abs(now - out[b]));
+        out[b] = now;
       }
     }
     return change;
   }
 
-  std::vector<std::size_t> order_;         // pieces
-  std::vector<std::vector<float>> unary_;  // these and all below by place in that order
+  std::vector<std::size_t> order_;  // pieces
+  std::size_t wide_ = kLanes;       // places for a piece's candidates
+  std::vector<std::size_t> candidates_;
+  std::vector<float> unary_;  // these and all below by place in that order
   std::vector<std::vector<End>> ends_;
   std::vector<float> costs_, messages_;
   std::vector<float> belief_, fresh_;  // of the piece and the message at work

@@ -18,7 +18,7 @@ struct StripeCurve {
   // it.
   std::vector<double> angle;
   std::vector<double> sd, weight;  // px, of the single row; 1 / sd^2
-  std::vector<char> use;   // 0: left out of every pool
+  std::vector<char> use;           // 0: left out of every pool
 };
 
 // One curve per segment, without angles.

@@ -49,9 +49,9 @@ cv::Mat SmoothAround(const IndexedStripes& stripes, const cv::Mat& green) {
     }
   }
   cv::Mat smooth(green.size(), CV_8UC1);
-  const cv::Rect part = cv::Rect(cv::Point(cvRound(left), cvRound(top)),
-                                 cv::Point(cvRound(right) + 1, cvRound(bottom) + 1)) &
-                        cv::Rect({}, green.size());
+  const cv::Rect part =
+      cv::Rect(cv::Point(cvRound(left), cvRound(top)), cv::Point(cvRound(right) + 1, cvRound(bottom) + 1)) &
+      cv::Rect({}, green.size());
   if (left <= right && !part.empty()) cv::blur(green(part), smooth(part), {5, 5});
   return smooth;
 }

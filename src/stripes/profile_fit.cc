@@ -18,32 +18,26 @@ int BeginFit(const std::uint8_t* row, const ProfileStart& start, const ProfileFi
   fit->width = start.width;
   fit->first = std::max(start.first, static_cast<int>(std::ceil(start.u - half)));
   fit->last = std::min(start.last, static_cast<int>(std::floor(start.u + half)));
-  int seen = 0, clipped = 0;
-  float low = 1e9F, high = 0.0F;
-  if (start.gain == nullptr) {
-    int darkest = 255, brightest = 0;
-    for (int x = fit->first; x <= fit->last; ++x) {
-      const int grey = row[x];
-      darkest = std::min(darkest, grey);
-      brightest = std::max(brightest, grey);
-      clipped += grey >= options.saturated_grey ? 1 : 0;
+  int seen = 0, clipped = 0, darkest = fit->first, brightest = fit->first;
+  int low = 256, high = -1;
+  for (int x = fit->first; x <= fit->last; ++x) {
+    if (!(start.GainAt(x) > 0.0F)) continue;
+    const int grey = row[x];
+    if (grey < low) {
+      low = grey;
+      darkest = x;
     }
-    seen = std::max(0, fit->last + 1 - fit->first);
-    if (seen > 0) low = static_cast<float>(darkest);
-    high = static_cast<float>(brightest);
-  } else {
-    const float* gains = start.gain - start.first;
-    for (int x = fit->first; x <= fit->last; ++x) {
-      const float gain = gains[x], share = gain > 0.0F ? 1.0F / gain : 0.0F, grey = row[x];
-      low = std::min(low, gain > 0.0F ? grey * std::min(5.0F, share) : 1e9F);
-      high = std::max(high, grey * std::min(2.0F, share));
-      seen += gain > 0.0F ? 1 : 0;
-      clipped += gain > 0.0F && row[x] >= options.saturated_grey ? 1 : 0;
+    if (grey > high) {
+      high = grey;
+      brightest = x;
     }
+    ++seen;
+    clipped += grey >= options.saturated_grey ? 1 : 0;
   }
   fit->clipped = clipped;
-  const auto most = static_cast<double>(high);
-  fit->background = std::min(static_cast<double>(low), most);
+  if (seen == 0) return 0;
+  const double most = high / std::max(0.5, static_cast<double>(start.GainAt(brightest)));
+  fit->background = std::min(low / std::max(0.2, static_cast<double>(start.GainAt(darkest))), most);
   fit->amplitude = std::max(1.0, most - fit->background + (clipped > 0 ? 20.0 : 0.0));
   return seen;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <utility>
 
@@ -70,8 +71,11 @@ void FindPeaks(const float* r, std::size_t count, float least, std::vector<int>*
     const auto is_peak = hn::And(hn::Ge(here, limit), hn::And(hn::Gt(here, hn::LoadU(d, r + u - 1)),
                                                               hn::Ge(here, hn::LoadU(d, r + u + 1))));
     if (hn::AllFalse(d, is_peak)) continue;
-    for (std::size_t i = u; i < u + lanes; ++i) {
-      if (r[i] >= least && r[i] > r[i - 1] && r[i] >= r[i + 1]) peaks->push_back(static_cast<int>(i));
+    std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(d, is_peak, bytes.data());
+    for (std::size_t k = 0; k < bytes.size(); ++k) {
+      for (unsigned bits = bytes[k]; bits != 0; bits &= bits - 1)
+        peaks->push_back(static_cast<int>(u + 8 * k) + std::countr_zero(bits));
     }
   }
   for (; u + 1 < count; ++u) {

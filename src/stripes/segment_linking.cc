@@ -77,6 +77,9 @@ void PairsOfRow(const std::vector<Track>& tracks, const std::vector<StripePoint>
 LaserStripes AssembleStripes(const std::vector<std::vector<StripePoint>>& segments, int laser) {
   LaserStripes out;
   out.laser = laser;
+  std::size_t count = 0;
+  for (const std::vector<StripePoint>& points : segments) count += points.size();
+  out.points.reserve(count);
   for (const std::vector<StripePoint>& points : segments) {
     AppendSegment(points, std::nullopt, &out);
   }

@@ -148,7 +148,7 @@ std::optional<double> SurfaceBrightness::RatioOf(double strength, const StripePo
   const cv::Point at(cvRound(point.u), cvRound(point.v));
   if (!part_.contains(at) || point.peak >= kClippedPeak) return std::nullopt;
   // Light at a step comes from its bright side.
-  const float *level = level_[at.y - part_.y];
+  const float* level = level_[at.y - part_.y];
   const std::uint8_t* inside = inside_[at.y - part_.y];
   const auto centre = point.u - static_cast<float>(part_.x), last = static_cast<float>(part_.width - 1);
   const auto level_at = [&](float x) {
