@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "stripes/local_polynomial.h"
+#include "stripes/stripe_curve.h"
 
 namespace dorsum {
 
