@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 
@@ -78,8 +79,11 @@ void MarkChanged(const cv::Mat& unchanged, cv::Mat1b* cells) {
   for (int v = 0; v < unchanged.rows; ++v) {
     const auto* row = unchanged.ptr<std::uint8_t>(v);
     auto* out = cells->ptr<std::uint8_t>((v + kCell - 1 - kSurveyedRows.first) / kCell);
-    for (int u = 0; u < unchanged.cols; ++u) {
-      if (row[u] == 0) out[u / kCell] = 255;
+    for (int u = 0; u < unchanged.cols; u = (u / kCell + 1) * kCell) {  // on with the next cell
+      const void* changed = std::memchr(row + u, 0, static_cast<std::size_t>(unchanged.cols - u));
+      if (changed == nullptr) break;
+      u = static_cast<int>(static_cast<const std::uint8_t*>(changed) - row);
+      out[u / kCell] = 255;
     }
   }
 }

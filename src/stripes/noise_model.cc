@@ -29,7 +29,7 @@ double TrimmedVariance(NoiseSample* first, std::size_t count) {
 // Leaves samples spread evenly over all of them, so many that the variances are known to a hundredth or two.
 void Thin(std::vector<NoiseSample>* samples) {
   constexpr std::size_t kEnough = 10000;
-  const std::size_t step = samples->size() / kEnough;
+  const std::size_t step = (samples->size() + kEnough - 1) / kEnough;
   if (step < 2) return;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < samples->size(); i += step) (*samples)[kept++] = (*samples)[i];

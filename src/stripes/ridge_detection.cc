@@ -81,6 +81,8 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
   const std::vector<float> kernel = MatchedKernel(options.width_px);
   const double gain = NoiseGain(kernel) * options.min_contrast * options.min_contrast;
   const int reach = static_cast<int>(std::ceil(std::max(4.0 * options.width_px, 8.0)));
+  // Noise grows with the grey value, so what is no evidence on a black ground is none anywhere.
+  const double least = std::max(options.min_response, 0.999 * std::sqrt(gain * noise.Variance(0.0)));
 
   std::vector<std::vector<RidgeCandidate>> rows(static_cast<std::size_t>(green.rows));
   const int count = std::max(0, (green.rows - comb.first + comb.step - 1) / comb.step);
@@ -94,7 +96,7 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
     lines->Compute(green, row, first, end);
     const std::vector<float>& r = lines->response();
     std::vector<RidgeCandidate>& found = rows[static_cast<std::size_t>(row)];
-    for (const int peak : lines->Peaks(static_cast<float>(options.min_response))) {
+    for (const int peak : lines->Peaks(static_cast<float>(least))) {
       const auto place = static_cast<std::size_t>(peak);
       const auto response = static_cast<double>(r[place]);
       if (in != nullptr && in[first + peak] == 0) continue;
