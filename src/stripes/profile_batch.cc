@@ -10,6 +10,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "stripes/profile_batch.cc"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -53,6 +54,12 @@ class ProfileBatch {
   // Gives the lane the next task that has pixels enough; false, and the lane idle, when there is none.
   bool Feed(std::size_t lane) {
     while (next_ < tasks_.size()) {
+      constexpr std::size_t kAhead =
+          8;  // tasks lie in one row each, so none brings the next one's pixels along
+      if (next_ + kAhead < tasks_.size()) {
+        const ProfileTask& later = tasks_[next_ + kAhead];
+        hwy::Prefetch(later.row + static_cast<std::ptrdiff_t>(later.start.u));
+      }
       const std::size_t task = next_++;
       const ProfileStart& start = tasks_[task].start;
       if (Begin(lane, task, start.hold_width ? Attempt::kHeld : Attempt::kFree, start)) return true;

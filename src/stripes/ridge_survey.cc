@@ -9,7 +9,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
-#include "base/quick_exp.h"
+#include "stripes/vector_exp.h"
 
 namespace dorsum {
 namespace {
@@ -65,6 +65,7 @@ RowFindings SurveyRows(const cv::Mat& green, const std::vector<std::vector<Ridge
   }
   const std::vector<ProfileFit> fits = FitProfiles(tasks, noise, options);
   RowFindings out;
+  std::vector<float> shapes;
   for (std::size_t k = 0; k < fits.size(); ++k) {
     const ProfileFit& fit = fits[k];
     if (!fit.ok) continue;
@@ -80,11 +81,16 @@ RowFindings SurveyRows(const cv::Mat& green, const std::vector<std::vector<Ridge
     const auto freedom = static_cast<float>(n / (n - 4.0));
     const auto u = static_cast<float>(fit.u), narrowness = static_cast<float>(1.0 / fit.width);
     const auto background = static_cast<float>(fit.background), amplitude = static_cast<float>(fit.amplitude);
+    shapes.clear();
+    for (int x = fit.first; x <= fit.last; ++x) {
+      const float t = (static_cast<float>(x) - u) * narrowness;
+      shapes.push_back(-0.5F * t * t);
+    }
+    RaiseToExp(shapes);
     for (int x = fit.first; x <= fit.last; ++x) {
       const std::uint8_t grey = tasks[k].row[x];
       if (grey >= options.saturated_grey) continue;
-      const float t = (static_cast<float>(x) - u) * narrowness;
-      const float model = background + amplitude * QuickExp(std::max(-80.0F, -0.5F * t * t));
+      const float model = background + amplitude * shapes[static_cast<std::size_t>(x - fit.first)];
       const float r = static_cast<float>(grey) - model;
       out.samples.push_back({model, r * r * freedom});
     }

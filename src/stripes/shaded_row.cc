@@ -118,6 +118,10 @@ std::vector<ShadedRow> FitShadedRows(const std::vector<ShadedRowTask>& tasks,
   std::vector<float> gains;
   std::vector<PreparedRow> prepared;
   std::vector<std::size_t> which;  // of the tasks
+  constexpr std::size_t kUsualColumns = 16;
+  gains.reserve(tasks.size() * kUsualColumns);
+  prepared.reserve(tasks.size());
+  which.reserve(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const auto row = Prepare(tasks[i], brightness, columns, picture.green.cols, &gains);
     if (!row) continue;
@@ -125,6 +129,7 @@ std::vector<ShadedRow> FitShadedRows(const std::vector<ShadedRowTask>& tasks,
     which.push_back(i);
   }
   std::vector<ProfileTask> profiles;
+  profiles.reserve(prepared.size());
   const float* gain = gains.data();  // where the gains lie now that there are no more to come
   for (std::size_t k = 0; k < prepared.size(); ++k) {
     ProfileStart& start = prepared[k].start;

@@ -59,6 +59,7 @@ template <class Fit>
 std::vector<ShadedRow> FitTwice(const LaserStripes& one, const StripeSegment& segment,
                                 const std::vector<double>& widths, const Fit& fit) {
   std::vector<ShadedRowTask> tasks;
+  tasks.reserve(widths.size());
   for (std::size_t i = 0; i < widths.size(); ++i) {
     tasks.push_back({one.points[static_cast<std::size_t>(segment.first) + i], widths[i], std::nullopt});
   }

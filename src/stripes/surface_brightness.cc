@@ -15,7 +15,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
-#include "base/quick_exp.h"
+#include "stripes/vector_exp.h"
 
 namespace dorsum {
 namespace {
@@ -190,8 +190,11 @@ std::optional<double> SurfaceBrightness::Along(double u, int v, int first, int l
   const auto of_level = static_cast<float>(1.0 + slope.of_level), along_u = static_cast<float>(slope.along_u);
   for (int x = low; x <= high; ++x) {
     const float change = of_level * (level[x] - there) + along_u * static_cast<float>(x - middle);
-    const float there_is = QuickExp(std::min(3.0F, std::max(-3.0F, change)));
-    gain[x - first] = inside[x] != 0 ? there_is : 0.0F;
+    gain[x - first] = std::clamp(change, -3.0F, 3.0F);
+  }
+  RaiseToExp({gain + (low - first), gain + (high + 1 - first)});
+  for (int x = low; x <= high; ++x) {
+    if (inside[x] == 0) gain[x - first] = 0.0F;
   }
   return static_cast<double>(there);
 }
