@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/context.h"
 #include "base/result.h"
 
 namespace dorsum {
@@ -23,8 +24,9 @@ struct CaptureImages {
 
 // Loads a capture folder. All images must be of the `expected` size, or of bgHand's if that is empty.
 // `lasers` are those that the calibration knows; a missing image of one of them is a warning, and an error
-// only when all are missing. Refuses images that show nothing: all black, all white.
+// only when all are missing. Refuses images that show nothing: all black, all white. Images are decoded on
+// `context`'s threads.
 Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
-                                  const std::vector<int>& lasers);
+                                  const std::vector<int>& lasers, const Context& context = {});
 
 }  // namespace dorsum

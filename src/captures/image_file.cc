@@ -73,10 +73,17 @@ Result<cv::Mat> ReadImage(const std::filesystem::path& path, std::optional<cv::S
 }
 
 Status CheckExposure(const cv::Mat& bgr, const std::string& name) {
-  double low = 0.0, high = 0.0;
-  cv::minMaxLoc(GreenChannel(bgr), &low, &high);
-  if (high < 10.0) return BadInput(name + " is black; check the light and the exposure");
-  if (low > 245.0) return BadInput(name + " is white all over; lower the exposure");
+  constexpr int kBlack = 10, kWhite = 245;
+  bool bright = false, dim = false;  // whether there is a place that is not black, and one that is not white
+  for (int v = 0; v < bgr.rows && !(bright && dim); ++v) {
+    const auto* row = bgr.ptr<cv::Vec3b>(v);
+    for (int u = 0; u < bgr.cols; ++u) {
+      bright = bright || row[u][1] >= kBlack;
+      dim = dim || row[u][1] <= kWhite;
+    }
+  }
+  if (!bright) return BadInput(name + " is black; check the light and the exposure");
+  if (!dim) return BadInput(name + " is white all over; lower the exposure");
   return {};
 }
 

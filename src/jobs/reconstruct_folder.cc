@@ -2,20 +2,48 @@
 #include "jobs/reconstruct_folder.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/files.h"
+#include "base/parallel.h"
 #include "jobs/stage_folder.h"
 
 namespace dorsum {
 
-Result<LoadedCalibration> LoadCalibration(const std::filesystem::path& path) {
-  LoadedCalibration out;
-  DORSUM_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path, std::size_t{256} << 20));
-  out.sha256 = Sha256Hex(bytes);
-  DORSUM_ASSIGN_OR_RETURN(Calibration calibration, ReadCalibration(path));
-  DORSUM_ASSIGN_OR_RETURN(out.ready, PrepareCalibration(std::move(calibration), path.string()));
-  for (const LaserGeometry& laser : out.ready.calibration.device.lasers) out.lasers.push_back(laser.laser);
+namespace {
+
+// A calibration's file, read, and ready as far as a capture can be loaded for it.
+struct ReadFileOfCalibration {
+  std::string bytes;
+  Calibration calibration;
+
+  std::vector<int> Lasers() const {
+    std::vector<int> lasers;
+    for (const LaserGeometry& laser : calibration.device.lasers) lasers.push_back(laser.laser);
+    return lasers;
+  }
+};
+
+Result<ReadFileOfCalibration> ReadWhole(const std::filesystem::path& path) {
+  ReadFileOfCalibration out;
+  DORSUM_ASSIGN_OR_RETURN(out.bytes, ReadFile(path, std::size_t{256} << 20));
+  DORSUM_ASSIGN_OR_RETURN(out.calibration, ReadCalibration(path));
   return out;
+}
+
+Result<LoadedCalibration> Prepare(ReadFileOfCalibration read, const std::filesystem::path& path) {
+  LoadedCalibration out;
+  out.lasers = read.Lasers();
+  out.sha256 = Sha256Hex(read.bytes);
+  DORSUM_ASSIGN_OR_RETURN(out.ready, PrepareCalibration(std::move(read.calibration), path.string()));
+  return out;
+}
+
+}  // namespace
+
+Result<LoadedCalibration> LoadCalibration(const std::filesystem::path& path) {
+  DORSUM_ASSIGN_OR_RETURN(ReadFileOfCalibration read, ReadWhole(path));
+  return Prepare(std::move(read), path);
 }
 
 Result<ReconstructSummary> ReconstructLoaded(const CaptureImages& capture, const ReconstructRequest& request,
@@ -47,10 +75,20 @@ Result<ReconstructSummary> ReconstructLoaded(const CaptureImages& capture, const
 }
 
 Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, const Context& context) {
-  DORSUM_ASSIGN_OR_RETURN(const LoadedCalibration calibration, LoadCalibration(request.calibration_path));
-  DORSUM_ASSIGN_OR_RETURN(const CaptureImages capture,
-                          LoadCapture(request.capture_dir, {}, calibration.lasers));
-  return ReconstructLoaded(capture, request, calibration, context);
+  DORSUM_ASSIGN_OR_RETURN(ReadFileOfCalibration read, ReadWhole(request.calibration_path));
+  const std::vector<int> lasers = read.Lasers();
+  std::optional<Result<LoadedCalibration>> calibration;
+  std::optional<Result<CaptureImages>> capture;
+  ParallelFor(context, 0, 2, [&](std::int64_t part) {
+    if (part == 0) {
+      calibration = Prepare(std::move(read), request.calibration_path);
+    } else {
+      capture = LoadCapture(request.capture_dir, {}, lasers, context);
+    }
+  });
+  if (!calibration->ok()) return calibration->error();
+  if (!capture->ok()) return capture->error();
+  return ReconstructLoaded(**capture, request, **calibration, context);
 }
 
 }  // namespace dorsum

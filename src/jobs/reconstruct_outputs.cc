@@ -2,8 +2,11 @@
 #include "jobs/reconstruct_outputs.h"
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 #include "base/files.h"
+#include "base/parallel.h"
 #include "base/version.h"
 #include "captures/png_image.h"
 #include "jobs/reconstruct_report.h"
@@ -84,15 +87,23 @@ Json RecipeOf(const ReconstructRequest& request, const LoadedCalibration& calibr
 Status WriteReconstruction(const std::filesystem::path& dir, const ReconstructRequest& request,
                            const Reconstruction& result, const CaptureImages& capture,
                            const LoadedCalibration& calibration, const Context& context) {
-  DORSUM_RETURN_IF_ERROR(WritePointsPly(dir / "points.ply", result.points));
-  DORSUM_RETURN_IF_ERROR(WriteFile(dir / "mask.png", EncodePng(result.mask.mask)));
-  DORSUM_RETURN_IF_ERROR(WriteHeightField(dir, result.height_field));
+  std::vector<std::function<Status()>> files = {
+      [&] { return WritePointsPly(dir / "points.ply", result.points); },
+      [&] { return WriteFile(dir / "mask.png", EncodePng(result.mask.mask, 1)); },
+      [&] { return WriteHeightField(dir, result.height_field); },
+      [&] {
+        return WriteJson(dir / kReportJson, ReportJson(request, result, RecipeOf(request, calibration)));
+      },
+  };
   for (const std::string& format : request.mesh_formats) {
     if (result.mesh.faces.empty() && format != "ply") continue;  // the warning about the empty mesh says why
-    DORSUM_RETURN_IF_ERROR(ExportMesh(dir, "surface", format, result.mesh));
+    files.emplace_back([&] { return ExportMesh(dir, "surface", format, result.mesh); });
   }
-  DORSUM_RETURN_IF_ERROR(
-      WriteJson(dir / kReportJson, ReportJson(request, result, RecipeOf(request, calibration))));
+  std::vector<Status> status(files.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(files.size()), [&](std::int64_t i) {
+    status[static_cast<std::size_t>(i)] = files[static_cast<std::size_t>(i)]();
+  });
+  for (const Status& one : status) DORSUM_RETURN_IF_ERROR(one);
   if (!request.report) return {};
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("report", 0.9);
