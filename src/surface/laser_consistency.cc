@@ -10,10 +10,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "surface/border_distance.h"
 #include "surface/patches.h"
 
 namespace dorsum {
@@ -52,17 +53,15 @@ std::optional<cv::Point> NearestNode(const PlateSample& s, const PlateLattice& l
   return cv::Point(static_cast<int>(c), static_cast<int>(r));
 }
 
-// Distance in lattice steps to the nearest sample of any other laser.
-cv::Mat1f DistanceToOthers(const Scene& scene, int laser) {
+// Squared distance in lattice steps to the nearest sample of any other laser, at most `reach` squared.
+cv::Mat1w SquaredDistanceToOthers(const Scene& scene, int laser, int reach) {
   const PlateLattice& l = scene.grids[0].lattice;
   cv::Mat1b empty(l.active.size(), std::uint8_t{255});
   for (std::size_t i = 0; i < scene.samples.size(); ++i) {
     if (scene.lasers[i] == laser || scene.samples[i].weight <= 0.0F) continue;
     if (const auto node = NearestNode(scene.samples[i], l)) empty(*node) = 0;
   }
-  cv::Mat1f out;
-  cv::distanceTransform(empty, out, cv::DIST_L2, cv::DIST_MASK_5);
-  return out;
+  return SquaredBorderDistance(empty, reach);
 }
 
 // The surface of all lasers but one, without the rim.
@@ -85,19 +84,21 @@ PlateLattice SolveOthers(const Scene& scene, int laser) {
 
 std::vector<Residual> Compare(const Scene& scene, int laser) {
   const PlateLattice others = SolveOthers(scene, laser);
-  const cv::Mat1f apart = DistanceToOthers(scene, laser);
   PlateLattice surface = others;
   surface.z = cv::Mat1f();  // of its own
   cv::add(others.z, scene.rim, surface.z);
   const double h = 0.5 * others.step_px, step_mm = others.step_px * scene.options.mm_per_px;
   const double max_apart_mm = scene.options.max_apart_mm;
+  const int reach = std::min(kMaxBorderReach, static_cast<int>(max_apart_mm / step_mm) + 2);
+  const cv::Mat1w apart = SquaredDistanceToOthers(scene, laser, reach);
   std::vector<Residual> out;
   for (std::size_t i = 0; i < scene.samples.size(); ++i) {
     const PlateSample& s = scene.samples[i];
     const LatticePlace& place = scene.grids[0].places[i];
     if (scene.lasers[i] != laser || s.weight <= 0.0F || !place.known()) continue;
     const auto node = NearestNode(s, others);
-    const double distance = node ? apart(*node) * step_mm : max_apart_mm + 1.0;
+    const double distance =
+        node ? std::sqrt(static_cast<double>(apart(*node))) * step_mm : max_apart_mm + 1.0;
     if (distance > max_apart_mm) continue;
     const double du = (HeightAt(surface, s.u + h, s.v) - HeightAt(surface, s.u - h, s.v)) / (2.0 * h);
     const double dv = (HeightAt(surface, s.u, s.v + h) - HeightAt(surface, s.u, s.v - h)) / (2.0 * h);

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
 
+#include "base/parallel.h"
 #include "surface/border_distance.h"
 
 namespace dorsum {
@@ -23,7 +25,7 @@ cv::Mat1f DistanceInside(const cv::Mat& region) {
 
 }  // namespace
 
-Outline::Outline(const cv::Mat& mask, int margin_px, int reach_px)
+Outline::Outline(const cv::Mat& mask, int margin_px, int reach_px, const Context& context)
     : outside_(-static_cast<float>(margin_px)) {
   const cv::Rect object = cv::boundingRect(mask);
   bounds_ = cv::Rect(object.x - margin_px, object.y - margin_px, object.width + 2 * margin_px,
@@ -37,8 +39,11 @@ Outline::Outline(const cv::Mat& mask, int margin_px, int reach_px)
   }
   distance_ = cv::Mat1f(bounds_.size());
   if (reach_px <= kMaxBorderReach && margin_px < kMaxBorderReach) {
-    const cv::Mat1w in = SquaredBorderDistance(inside, reach_px),
-                    out = SquaredBorderDistance(~inside, margin_px + 1);
+    cv::Mat1w in, out;
+    ParallelFor(context, 0, 2, [&](std::int64_t part) {
+      (part == 0 ? in : out) =
+          part == 0 ? SquaredBorderDistance(inside, reach_px) : SquaredBorderDistance(~inside, margin_px + 1);
+    });
     std::vector<float> roots;
     const int longest = std::max(reach_px, margin_px + 1);
     for (int i = 0; i <= longest * longest; ++i) roots.push_back(std::sqrt(static_cast<float>(i)));

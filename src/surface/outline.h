@@ -5,6 +5,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/context.h"
+
 namespace dorsum {
 
 // Signed distance to an object's outline in the image, px: positive inside, zero half way between the last
@@ -13,7 +15,8 @@ class Outline {
  public:
   // `mask`: CV_8UC1, not 0 on the object. Distances are known within `margin_px` around the object and, where
   // no more is asked for, `reach_px` inside: what lies deeper is as far as that.
-  Outline(const cv::Mat& mask, int margin_px, int reach_px = std::numeric_limits<int>::max());
+  Outline(const cv::Mat& mask, int margin_px, int reach_px = std::numeric_limits<int>::max(),
+          const Context& context = {});
 
   // Bilinear between pixel centres; far outside -margin.
   float Distance(double u, double v) const;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 #include <opencv2/imgproc.hpp>
 
@@ -95,16 +97,24 @@ PlateLattice MakeSupport(const std::vector<PlateSample>& samples, const Outline&
 
 void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lattice) {
   PlateLattice& l = *lattice;
-  std::vector<std::vector<float>> cells(l.active.total());
-  const auto cell = [&](int c, int r) -> std::vector<float>& {
-    return cells[static_cast<std::size_t>(r) * static_cast<std::size_t>(l.active.cols) +
-                 static_cast<std::size_t>(c)];
-  };
-  for (const PlateSample& s : samples) {
+  const auto cells = static_cast<std::size_t>(l.active.total());
+  const auto cell_of = [&](const PlateSample& s) -> std::optional<std::size_t> {
     const long c = std::lround((s.u - l.u0) / l.step_px), r = std::lround((s.v - l.v0) / l.step_px);
-    if (s.weight <= 0.0F || c < 0 || r < 0 || c >= l.active.cols || r >= l.active.rows) continue;
-    cell(static_cast<int>(c), static_cast<int>(r)).push_back(s.z);
+    if (s.weight <= 0.0F || c < 0 || r < 0 || c >= l.active.cols || r >= l.active.rows) return std::nullopt;
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(l.active.cols) +
+           static_cast<std::size_t>(c);
+  };
+  // The heights by cell: those of cell i end where those of the next begin.
+  std::vector<std::uint32_t> ends(cells + 1, 0);
+  for (const PlateSample& s : samples) {
+    if (const auto cell = cell_of(s)) ++ends[*cell + 1];
   }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<float> heights(ends.back());
+  for (const PlateSample& s : samples) {
+    if (const auto cell = cell_of(s)) heights[ends[*cell]++] = s.z;  // and so the ends come about
+  }
+  const auto first_of = [&](std::size_t cell) { return cell == 0 ? 0U : ends[cell - 1]; };
   constexpr std::size_t kEnough = 10;
   constexpr int kMaxSpan = 8;
   std::vector<float> around;
@@ -115,9 +125,11 @@ void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lat
       for (int span = 1; span <= kMaxSpan && around.size() < kEnough; ++span) {
         around.clear();
         for (int y = std::max(0, r - span); y <= std::min(l.active.rows - 1, r + span); ++y) {
-          for (int x = std::max(0, c - span); x <= std::min(l.active.cols - 1, c + span); ++x) {
-            around.insert(around.end(), cell(x, y).begin(), cell(x, y).end());
-          }
+          // Neighbouring cells' heights follow each other.
+          const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(l.active.cols);
+          const auto west = row + static_cast<std::size_t>(std::max(0, c - span));
+          const auto east = row + static_cast<std::size_t>(std::min(l.active.cols - 1, c + span));
+          around.insert(around.end(), heights.begin() + first_of(west), heights.begin() + ends[east]);
         }
       }
       if (around.empty()) continue;

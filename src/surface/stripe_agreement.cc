@@ -17,18 +17,29 @@ namespace {
 std::vector<int> CutIntoRuns(const SurfacePoints& points, int* count) {
   constexpr float kMaxGapPx = 6.0F;
   constexpr double kMaxJumpMm = 3.0;
-  std::vector<std::uint32_t> by_stripe(points.size());
-  std::iota(by_stripe.begin(), by_stripe.end(), 0U);
-  const auto key = [&](std::uint32_t i) {
-    const SurfacePoint& p = points[i];
-    return std::make_tuple(p.laser, p.order, p.segment, p.v, i);
+  struct Place {
+    std::uint64_t stripe;
+    float v;
+    std::uint32_t point;
   };
-  std::sort(by_stripe.begin(), by_stripe.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::vector<Place> by_stripe;
+  by_stripe.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SurfacePoint& p = points[i];
+    const auto order = static_cast<std::uint64_t>(static_cast<std::int64_t>(p.order) + 0x800000);
+    by_stripe.push_back({static_cast<std::uint64_t>(p.laser) << 56U | order << 32U |
+                             (static_cast<std::uint32_t>(p.segment) + 0x80000000U),
+                         p.v, static_cast<std::uint32_t>(i)});
+  }
+  const auto before = [](const Place& a, const Place& b) {
+    return std::tie(a.stripe, a.v, a.point) < std::tie(b.stripe, b.v, b.point);
+  };
+  if (!std::is_sorted(by_stripe.begin(), by_stripe.end(), before))
+    std::sort(by_stripe.begin(), by_stripe.end(), before);
   std::vector<int> runs(points.size(), 0);
   int run = -1;
   const SurfacePoint* last = nullptr;
-  for (const std::uint32_t i : by_stripe) {
+  for (const auto& [stripe, v, i] : by_stripe) {
     const SurfacePoint& p = points[i];
     const bool goes_on = last != nullptr && p.laser == last->laser && p.order == last->order &&
                          p.segment == last->segment && p.v - last->v <= kMaxGapPx &&
@@ -56,26 +67,33 @@ bool ObjectBetween(const SurfacePoint& a, const SurfacePoint& b, const Outline& 
 
 Neighbours CompareNeighbours(const SurfacePoints& points, const std::vector<int>& runs,
                              const Outline& outline, const StripeAgreementOptions& options) {
-  std::vector<std::pair<std::int64_t, std::uint32_t>> by_row;
-  by_row.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    by_row.emplace_back(std::lround(points[i].v), static_cast<std::uint32_t>(i));
-  std::sort(by_row.begin(), by_row.end(), [&](const auto& a, const auto& b) {
-    return std::make_tuple(a.first, points[a.second].u, a.second) <
-           std::make_tuple(b.first, points[b.second].u, b.second);
-  });
+  // First by row, then along each.
+  struct Place {
+    float u;
+    std::uint32_t point;
+  };
+  std::vector<std::vector<Place>> rows_of;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto row = static_cast<std::size_t>(std::max(0L, std::lround(points[i].v)));
+    if (row >= rows_of.size()) rows_of.resize(row + 1);
+    rows_of[row].push_back({points[i].u, static_cast<std::uint32_t>(i)});
+  }
   Neighbours out;
-  for (std::size_t i = 0; i + 1 < by_row.size(); ++i) {
-    if (by_row[i].first != by_row[i + 1].first) continue;
-    const std::uint32_t a = by_row[i].second, b = by_row[i + 1].second;
-    const double apart = (points[b].u - points[a].u) * options.mm_per_px;
-    if (runs[a] == runs[b] || apart > options.max_distance_mm ||
-        !ObjectBetween(points[a], points[b], outline))
-      continue;
-    const double step = std::abs(points[b].position.z() - points[a].position.z());
-    Rows& rows = out[std::minmax(runs[a], runs[b])];
-    ++(step <= std::min(options.slack_mm + options.max_slope * apart, options.max_step_mm) ? rows.agree
-                                                                                           : rows.contradict);
+  for (std::vector<Place>& row : rows_of) {
+    std::sort(row.begin(), row.end(),
+              [](const Place& a, const Place& b) { return std::tie(a.u, a.point) < std::tie(b.u, b.point); });
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      const std::uint32_t a = row[i].point, b = row[i + 1].point;
+      const double apart = (points[b].u - points[a].u) * options.mm_per_px;
+      if (runs[a] == runs[b] || apart > options.max_distance_mm ||
+          !ObjectBetween(points[a], points[b], outline))
+        continue;
+      const double step = std::abs(points[b].position.z() - points[a].position.z());
+      Rows& rows = out[std::minmax(runs[a], runs[b])];
+      ++(step <= std::min(options.slack_mm + options.max_slope * apart, options.max_step_mm)
+             ? rows.agree
+             : rows.contradict);
+    }
   }
   return out;
 }
