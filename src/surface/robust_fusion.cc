@@ -26,7 +26,7 @@ constexpr float kLeastSigma = 0.01F;       // mm; no point is better than that
 constexpr float kStartStiffness = 100.0F;  // of the coarsest lattice, before curvatures are known
 constexpr double kCoarsestStepMm = 2.0;
 // Each level starts from the one before, so these bring it within a micrometre of the solution.
-constexpr int kIterations = 4, kExactIterations = 10;
+constexpr int kIterations = 5, kExactIterations = 10;
 
 // How many mm of the object one pixel spans, at the points' median depth.
 double MmPerPixel(const SurfacePoints& points, const Camera& camera) {
