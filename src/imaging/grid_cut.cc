@@ -2,143 +2,167 @@
 #include "imaging/grid_cut.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <limits>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
 
 constexpr int kFar = std::numeric_limits<int>::max();
+constexpr int kPartNodes = 4096;  // that are cut on their own; they fit a processor's cache
 
 }  // namespace
 
-GridCut::GridCut(std::size_t nodes)
-    : pull_(nodes, 0),
-      to_(nodes * kDirections, -1),
-      room_(nodes * kDirections, 0),
-      parent_(nodes, kNone),
-      side_(nodes, kFirst),
-      stamp_(nodes, 0),
-      distance_(nodes, 0),
-      next_(nodes, -1) {}
+// The search among the nodes first to end - 1, from whatever trees they are in.
+class GridCut::Search {
+ public:
+  Search(std::vector<Node>* nodes, int first, int end, int time)
+      : nodes_(nodes->data()),
+        first_(first),
+        count_(static_cast<unsigned>(end - first)),
+        time_(time),
+        active_(count_) {}
 
-void GridCut::Join(int from, int to, int direction, int cost) {
-  to_[Edge(from, direction)] = to;
-  to_[Edge(to, direction ^ 1)] = from;
-  room_[Edge(from, direction)] += cost;
-  room_[Edge(to, direction ^ 1)] += cost;
-}
-
-// Flow runs from the first terminal to the second: in the first tree towards the child, in the second
-// towards the parent.
-int& GridCut::RoomToward(int node, int direction) {
-  const std::size_t edge = Edge(node, direction);
-  return SideOf(node) == kFirst ? room_[Edge(to_[edge], direction ^ 1)] : room_[edge];
-}
-
-void GridCut::Activate(int node) {
-  int& next = next_[static_cast<std::size_t>(node)];
-  if (next >= 0) return;
-  next = node;
-  if (last_active_ < 0) {
-    first_active_ = node;
-  } else {
-    next_[static_cast<std::size_t>(last_active_)] = node;
+  void Activate(int node) {
+    Node& n = nodes_[node];
+    if (n.active) return;
+    n.active = true;
+    active_[oldest_ + waiting_ < count_ ? oldest_ + waiting_ : oldest_ + waiting_ - count_] = node;
+    ++waiting_;
   }
-  last_active_ = node;
-}
+  void Run();
+  int time() const { return time_; }
 
-void GridCut::Run() {
-  for (int node = 0; node < static_cast<int>(pull_.size()); ++node) {
-    const auto i = static_cast<std::size_t>(node);
-    if (pull_[i] == 0) continue;
-    side_[i] = pull_[i] > 0 ? kFirst : kSecond;
-    parent_[i] = kTerminal;
-    distance_[i] = 1;
-    Activate(node);
+ private:
+  struct Meeting {
+    int first = -1, direction = 0, second = -1;
+  };
+
+  bool IsWithin(int node) const { return static_cast<unsigned>(node - first_) < count_; }
+  static std::int16_t& Room(Node& node, int direction) {
+    return node.room[static_cast<std::size_t>(direction)];
   }
-  while (first_active_ >= 0) {
-    const int node = first_active_;
+  static int To(const Node& node, int direction) { return node.to[static_cast<std::size_t>(direction)]; }
+  // Along the flow between a node and its neighbour, the node being the farther one from its terminal. Flow
+  // runs from the first terminal to the second: in the first tree towards the child, in the second towards
+  // the parent.
+  std::int16_t& RoomToward(Node& node, Node& other, int direction) {
+    return node.side == kFirst ? Room(other, direction ^ 1) : Room(node, direction);
+  }
+  bool Grow(int node, Meeting* meeting);
+  void Augment(const Meeting& meeting);
+  int Least(int node, int least);
+  void Push(int node, int flow);
+  void MakeOrphan(int node);
+  void Adopt();
+  void FindParent(int orphan);
+  int DistanceOf(int node);
+
+  Node* nodes_;
+  int first_;
+  unsigned count_;
+  int time_;
+  std::vector<int> active_;  // a ring
+  std::size_t oldest_ = 0, waiting_ = 0;
+  std::vector<int> orphans_;
+};
+
+void GridCut::Search::Run() {
+  while (waiting_ > 0) {
+    const int node = active_[oldest_];
     Meeting meeting;
-    if (ParentOf(node) != kNone && Grow(node, &meeting)) {
+    if (nodes_[node].parent != kNone && Grow(node, &meeting)) {
       ++time_;
       Augment(meeting);
       Adopt();
       continue;  // the node may meet further ones
     }
-    int& next = next_[static_cast<std::size_t>(node)];
-    first_active_ = next == node ? -1 : next;
-    if (first_active_ < 0) last_active_ = -1;
-    next = -1;
+    oldest_ = oldest_ + 1 == count_ ? 0 : oldest_ + 1;
+    --waiting_;
+    nodes_[node].active = false;
   }
 }
 
 // Takes free neighbours into the node's tree, until one of the other tree is met.
-bool GridCut::Grow(int node, Meeting* meeting) {
-  const auto i = static_cast<std::size_t>(node);
-  const Side side = SideOf(node);
+bool GridCut::Search::Grow(int node, Meeting* meeting) {
+  const Node& n = nodes_[node];
+  const bool is_first = n.side == kFirst;
+  unsigned wanted = 0;  // a bit for each direction; found first, without branches that cannot be foreseen
   for (int direction = 0; direction < kDirections; ++direction) {
-    const std::size_t edge = Edge(node, direction);
-    const int other = to_[edge];
-    if (other < 0) continue;
-    const int room = side == kFirst ? room_[edge] : room_[Edge(other, direction ^ 1)];
-    if (room == 0) continue;
-    const auto j = static_cast<std::size_t>(other);
-    const bool is_free = parent_[j] == kNone;
-    if (!is_free && side_[j] != side) {
-      *meeting = side == kFirst ? Meeting{node, direction, other} : Meeting{other, direction ^ 1, node};
+    const int to = To(n, direction), other = IsWithin(to) ? to : node;
+    const Node& o = nodes_[other];
+    const int room = is_first ? n.room[static_cast<std::size_t>(direction)]
+                              : o.room[static_cast<std::size_t>(direction ^ 1)];
+    const unsigned is_new =
+        static_cast<unsigned>(o.parent == kNone) | static_cast<unsigned>(o.side != n.side) |
+        (static_cast<unsigned>(o.stamp <= n.stamp) & static_cast<unsigned>(o.distance > n.distance));
+    wanted |= (is_new & static_cast<unsigned>(room != 0)) << static_cast<unsigned>(direction);
+  }
+  for (; wanted != 0; wanted &= wanted - 1) {
+    const int direction = std::countr_zero(wanted), other = To(n, direction);
+    Node& o = nodes_[other];
+    const bool is_free = o.parent == kNone;
+    if (!is_free && o.side != n.side) {
+      *meeting = is_first ? Meeting{node, direction, other} : Meeting{other, direction ^ 1, node};
       return true;
     }
-    const bool is_shorter = stamp_[j] <= stamp_[i] && distance_[j] > distance_[i];
-    if (!is_free && !is_shorter) continue;
-    side_[j] = side;
-    parent_[j] = static_cast<std::uint8_t>(direction ^ 1);
-    stamp_[j] = stamp_[i];
-    distance_[j] = distance_[i] + 1;
+    o.side = n.side;
+    o.parent = static_cast<std::uint8_t>(direction ^ 1);
+    o.stamp = n.stamp;
+    o.distance = n.distance + 1;
     if (is_free) Activate(other);
   }
   return false;
 }
 
 // The least that may flow between the node and its terminal, and is not more than `least`.
-int GridCut::Least(int node, int least) {
-  for (; ParentOf(node) != kTerminal; node = ParentNode(node)) {
-    least = std::min(least, RoomToward(node, ParentOf(node)));
+int GridCut::Search::Least(int node, int least) {
+  while (nodes_[node].parent != kTerminal) {
+    Node& n = nodes_[node];
+    node = To(n, n.parent);
+    least = std::min<int>(least, RoomToward(n, nodes_[node], n.parent));
   }
-  return std::min(least, std::abs(pull_[static_cast<std::size_t>(node)]));
+  return std::min(least, std::abs(nodes_[node].pull));
 }
 
-void GridCut::Push(int node, int flow) {
-  while (ParentOf(node) != kTerminal) {
-    const int direction = ParentOf(node), parent = ParentNode(node);
-    int& room = RoomToward(node, direction);
-    room -= flow;
-    // Back along the same edge.
-    room_[SideOf(node) == kFirst ? Edge(node, direction) : Edge(parent, direction ^ 1)] += flow;
+void GridCut::Search::Push(int node, int flow) {
+  while (nodes_[node].parent != kTerminal) {
+    Node& n = nodes_[node];
+    const int direction = n.parent, parent = To(n, direction);
+    std::int16_t& down = Room(nodes_[parent], direction ^ 1);
+    std::int16_t& up = Room(n, direction);
+    std::int16_t& room = n.side == kFirst ? down : up;
+    std::int16_t& back = n.side == kFirst ? up : down;
+    room = static_cast<std::int16_t>(room - flow);
+    back = static_cast<std::int16_t>(back + flow);
     if (room == 0) MakeOrphan(node);
     node = parent;
   }
-  int& pull = pull_[static_cast<std::size_t>(node)];
+  int& pull = nodes_[node].pull;
   pull -= pull > 0 ? flow : -flow;
   if (pull == 0) MakeOrphan(node);
 }
 
-void GridCut::Augment(const Meeting& meeting) {
-  int& room = room_[Edge(meeting.first, meeting.direction)];
+void GridCut::Search::Augment(const Meeting& meeting) {
+  std::int16_t& room = Room(nodes_[meeting.first], meeting.direction);
+  std::int16_t& back = Room(nodes_[meeting.second], meeting.direction ^ 1);
   const int flow = Least(meeting.second, Least(meeting.first, room));
-  room -= flow;
-  room_[Edge(meeting.second, meeting.direction ^ 1)] += flow;
+  room = static_cast<std::int16_t>(room - flow);
+  back = static_cast<std::int16_t>(back + flow);
   Push(meeting.first, flow);
   Push(meeting.second, flow);
 }
 
-void GridCut::MakeOrphan(int node) {
-  ParentOf(node) = kOrphan;
+void GridCut::Search::MakeOrphan(int node) {
+  nodes_[node].parent = kOrphan;
   orphans_.push_back(node);
 }
 
 // Those nearest to the terminal first: their children may then stay where they are.
-void GridCut::Adopt() {
+void GridCut::Search::Adopt() {
   while (!orphans_.empty()) {
     const int orphan = orphans_.back();
     orphans_.pop_back();
@@ -147,60 +171,91 @@ void GridCut::Adopt() {
 }
 
 // Steps from the node to its terminal; kFar if an orphan lies on the way. What is found is marked.
-int GridCut::DistanceOf(int node) {
+int GridCut::Search::DistanceOf(int node) {
   int steps = 0;
-  int at = node;
-  for (;; at = ParentNode(at)) {
-    const auto i = static_cast<std::size_t>(at);
-    if (stamp_[i] == time_) {
-      steps += distance_[i];
+  for (int at = node;; at = To(nodes_[at], nodes_[at].parent)) {
+    Node& n = nodes_[at];
+    if (n.stamp == time_) {
+      steps += n.distance;
       break;
     }
     ++steps;
-    if (parent_[i] == kOrphan) return kFar;
-    if (parent_[i] == kTerminal) {
-      stamp_[i] = time_;
-      distance_[i] = 1;
+    if (n.parent == kOrphan) return kFar;
+    if (n.parent == kTerminal) {
+      n.stamp = time_;
+      n.distance = 1;
       break;
     }
   }
   int left = steps;
-  for (at = node; stamp_[static_cast<std::size_t>(at)] != time_; at = ParentNode(at)) {
-    stamp_[static_cast<std::size_t>(at)] = time_;
-    distance_[static_cast<std::size_t>(at)] = left--;
+  for (int at = node; nodes_[at].stamp != time_; at = To(nodes_[at], nodes_[at].parent)) {
+    nodes_[at].stamp = time_;
+    nodes_[at].distance = left--;
   }
   return steps;
 }
 
-void GridCut::FindParent(int orphan) {
-  const auto i = static_cast<std::size_t>(orphan);
+void GridCut::Search::FindParent(int orphan) {
+  Node& n = nodes_[orphan];
   int nearest = kFar;
   std::uint8_t parent = kNone;
   unsigned of_own_tree = 0;  // a bit for each direction
   for (int direction = 0; direction < kDirections; ++direction) {
-    const int other = to_[Edge(orphan, direction)];
-    if (other < 0) continue;
-    const auto j = static_cast<std::size_t>(other);
-    if (side_[j] != side_[i] || parent_[j] == kNone) continue;
+    const int other = To(n, direction);
+    if (!IsWithin(other)) continue;
+    Node& o = nodes_[other];
+    if (o.side != n.side || o.parent == kNone) continue;
     of_own_tree |= 1U << static_cast<unsigned>(direction);
-    if (RoomToward(orphan, direction) == 0) continue;
+    if (RoomToward(n, o, direction) == 0) continue;
     const int distance = DistanceOf(other);
     if (distance >= nearest) continue;
     nearest = distance;
     parent = static_cast<std::uint8_t>(direction);
+    if (distance < n.distance) break;
   }
-  parent_[i] = parent;
+  n.parent = parent;
   if (parent != kNone) {
-    stamp_[i] = time_;
-    distance_[i] = nearest + 1;
+    n.stamp = time_;
+    n.distance = nearest + 1;
     return;
   }
   for (int direction = 0; direction < kDirections; ++direction) {
     if ((of_own_tree >> static_cast<unsigned>(direction) & 1U) == 0) continue;
-    const int other = to_[Edge(orphan, direction)];
-    if (RoomToward(orphan, direction) > 0) Activate(other);
-    if (ParentOf(other) == (direction ^ 1)) MakeOrphan(other);
+    const int other = To(n, direction);
+    if (RoomToward(n, nodes_[other], direction) > 0) Activate(other);
+    if (nodes_[other].parent == (direction ^ 1)) MakeOrphan(other);
   }
+}
+
+void GridCut::Run(const Context& context) {
+  const int count = static_cast<int>(nodes_.size()), parts = (count + kPartNodes - 1) / kPartNodes;
+  std::vector<int> times(static_cast<std::size_t>(parts), 0);
+  ParallelFor(context, 0, parts, [&](std::int64_t part) {
+    const int first = static_cast<int>(part) * kPartNodes, end = std::min(count, first + kPartNodes);
+    Search search(&nodes_, first, end, 0);
+    for (int node = first; node < end; ++node) {
+      Node& n = nodes_[static_cast<std::size_t>(node)];
+      if (n.pull == 0) continue;
+      n.side = n.pull > 0 ? kFirst : kSecond;
+      n.parent = kTerminal;
+      n.distance = 1;
+      search.Activate(node);
+    }
+    search.Run();
+    times[static_cast<std::size_t>(part)] = search.time();
+  });
+  if (parts <= 1) return;
+  // What has neighbours in another part goes on growing.
+  Search search(&nodes_, 0, count, *std::max_element(times.begin(), times.end()));
+  for (int node = 0; node < count; ++node) {
+    const Node& n = nodes_[static_cast<std::size_t>(node)];
+    if (n.parent == kNone) continue;
+    const bool at_seam = std::any_of(n.to.begin(), n.to.end(), [&](int other) {
+      return other >= 0 && other / kPartNodes != node / kPartNodes;
+    });
+    if (at_seam) search.Activate(node);
+  }
+  search.Run();
 }
 
 }  // namespace dorsum

@@ -10,6 +10,7 @@
 #include "imaging/band_cut.h"
 #include "imaging/led_ratio.h"
 #include "imaging/object_outline.h"
+#include "imaging/pieces.h"
 #include "imaging/seed_light.h"
 #include "imaging/seed_map.h"
 #include "imaging/stage_sink.h"
@@ -18,8 +19,8 @@ namespace dorsum {
 namespace {
 
 constexpr int kReach = 3;             // px: how far the outline on double pixels may be off
-constexpr double kFineTexture = 0.7;  // single pixels differ less than double ones, though noise is more
-constexpr double kBridgePull = 0.03;  // px of outline for each pixel that may be a ring
+constexpr float kFineTexture = 0.7F;  // single pixels differ less than double ones, though noise is more
+constexpr float kBridgePull = 0.03F;  // px of outline for each pixel that may be a ring
 
 // What is not known to be empty; begins at a whole pixel of double size.
 cv::Rect BusyPart(const cv::Mat& empty, cv::Size picture) {
@@ -72,6 +73,25 @@ void SettleUnchanged(const cv::Mat& light, const cv::Mat& votes, cv::Mat* known)
   known->setTo(kBackplanePixel, settled);
 }
 
+// What speaks for the object at the unknown pixels of double size; the others' is not set.
+cv::Mat CoarsePull(const SeedLight& near, const cv::Mat& light, const SeedMap& map,
+                   const ObjectMaskOptions& options, const Context& context) {
+  const auto like = static_cast<float>(options.pull), vote = static_cast<float>(0.5 * options.seed_strength);
+  cv::Mat pull(light.size(), CV_32FC1);
+  ParallelFor(context, 0, light.rows, [&](std::int64_t row) {
+    const int v = static_cast<int>(row);
+    const auto *known = map.known.ptr<std::uint8_t>(v), *bridge = map.bridge.ptr<std::uint8_t>(v);
+    const auto *there = light.ptr<float>(v), *votes = map.votes.ptr<float>(v);
+    auto* out = pull.ptr<float>(v);
+    for (int u = 0; u < light.cols; ++u) {
+      if (known[u] != kUnknownPixel) continue;
+      out[u] = like * near.LikeObject(u, v, there[u]) + vote * votes[u];
+      if (bridge[u] != 0) out[u] += kBridgePull;
+    }
+  });
+  return pull;
+}
+
 // Pixels near the outline become unknown, the rest stays as it is.
 cv::Mat OpenOutline(const cv::Mat& object, int reach_px) {
   const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
@@ -84,26 +104,26 @@ cv::Mat OpenOutline(const cv::Mat& object, int reach_px) {
   return known;
 }
 
-// Drops pieces of `mask` == `value` that hold fewer than `min_seeds` seeds of their kind and are smaller
-// than `min_area` px.
-void DropPieces(const cv::Mat& votes, float sign, int min_seeds, double min_area, cv::Mat* mask) {
-  cv::Mat labels, stats, centroids;
-  const cv::Mat pieces = sign > 0.0F ? *mask != 0 : *mask == 0;
-  const int count = cv::connectedComponentsWithStats(pieces, labels, stats, centroids, 4, CV_32S);
-  std::vector<int> seeds(static_cast<std::size_t>(count), 0);
-  for (int v = 0; v < votes.rows; ++v) {
-    const auto* vote = votes.ptr<float>(v);
-    const auto* label = labels.ptr<int>(v);
-    for (int u = 0; u < votes.cols; ++u) {
-      if (sign * vote[u] > 0.0F) ++seeds[static_cast<std::size_t>(label[u])];
-    }
+// Drops pieces of `mask` == `value` that hold fewer than `min_seeds` seeds of their kind and are smaller than
+// `min_area` px.
+void DropPieces(const cv::Mat& votes, std::uint8_t value, int min_seeds, double min_area, cv::Mat* mask) {
+  struct Worth {
+    int area = 0, seeds = 0;
+  };
+  const Pieces pieces(*mask, value);
+  std::vector<Worth> worth(static_cast<std::size_t>(pieces.count()));
+  const float sign = value != 0 ? 1.0F : -1.0F;
+  for (const Pieces::Run& run : pieces.runs()) {
+    const auto* vote = votes.ptr<float>(run.v);
+    Worth& piece = worth[static_cast<std::size_t>(run.piece)];
+    piece.area += run.end - run.first;
+    for (int u = run.first; u < run.end; ++u) piece.seeds += sign * vote[u] > 0.0F ? 1 : 0;
   }
-  for (int piece = 1; piece < count; ++piece) {
-    const auto* stat = stats.ptr<int>(piece);
-    if (seeds[static_cast<std::size_t>(piece)] >= min_seeds || stat[cv::CC_STAT_AREA] >= min_area) continue;
-    const cv::Rect box(stat[cv::CC_STAT_LEFT], stat[cv::CC_STAT_TOP], stat[cv::CC_STAT_WIDTH],
-                       stat[cv::CC_STAT_HEIGHT]);
-    (*mask)(box).setTo(sign > 0.0F ? 0 : 255, labels(box) == piece);
+  for (const Pieces::Run& run : pieces.runs()) {
+    const Worth& piece = worth[static_cast<std::size_t>(run.piece)];
+    if (piece.seeds >= min_seeds || piece.area >= min_area) continue;
+    auto* row = mask->ptr<std::uint8_t>(run.v);
+    std::fill(row + run.first, row + run.end, value != 0 ? std::uint8_t{0} : std::uint8_t{255});
   }
 }
 
@@ -120,7 +140,7 @@ cv::Rect FinePart(const cv::Mat& object, cv::Size picture) {
 
 // The outlines on single pixels, within a part of the picture.
 Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& object,
-                      const cv::Mat& texture, const std::vector<ObjectSeed>& seeds, const cv::Rect& part,
+                      const CellPicture& texture, const std::vector<ObjectSeed>& seeds, const cv::Rect& part,
                       const ObjectMaskOptions& options, const Context& context) {
   const cv::Rect half(part.x / 2, part.y / 2, (part.width + 1) / 2, (part.height + 1) / 2);
   BandCut fine;
@@ -128,9 +148,9 @@ Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::
   cv::Mat large;
   cv::resize(object(half), large, {2 * half.width, 2 * half.height}, 0, 0, cv::INTER_NEAREST);
   fine.known = OpenOutline(large(cv::Rect({0, 0}, part.size())), kReach);
-  fine.texture = texture(half) * kFineTexture;
+  fine.texture = texture.Part(half.tl(), 2, kFineTexture);
   fine.pull = options.seed_strength * CountVotes(SeedsWithin(seeds, part), part.size(), 1);
-  Outlines outlines = FindOutlines(CutInBand(fine), fine.light, fine.texture);
+  Outlines outlines = FindOutlines(CutInBand(fine, context), fine.light, fine.texture);
   MoveBy(part.tl(), &outlines);
   return outlines;
 }
@@ -170,18 +190,12 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
     map.known.setTo(kBackplanePixel, small);
   }
   coarse.known = map.known;
-  ParallelFor(context, 0, 2, [&](std::int64_t part) {
-    if (part == 0) {
-      coarse.texture = UsualTexture(coarse.light, map.known);
-    } else {
-      coarse.pull =
-          options.pull * LikeObject(coarse.light, map.known) + 0.5 * options.seed_strength * map.votes;
-    }
-  });
-  cv::add(coarse.pull, cv::Scalar(kBridgePull), coarse.pull, map.bridge);
-  cv::Mat object = CutInBand(coarse);
-  DropPieces(map.votes, 1.0F, 5, options.min_area_share * 0.25 * static_cast<double>(hand.total()), &object);
-  DropPieces(map.votes, -1.0F, 5, 40, &object);
+  const SeedLight near(coarse.light, map.known, context);
+  coarse.texture = near.usual_texture();
+  coarse.pull = CoarsePull(near, coarse.light, map, options, context);
+  cv::Mat object = CutInBand(coarse, context);
+  DropPieces(map.votes, 255, 5, options.min_area_share * 0.25 * static_cast<double>(hand.total()), &object);
+  DropPieces(map.votes, 0, 5, 40, &object);
   Sink(context, "mask/coarse", object);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
 

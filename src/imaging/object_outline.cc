@@ -99,7 +99,7 @@ cv::Point2f OntoBorder(cv::Point pixel, cv::Size size) {
 
 }  // namespace
 
-Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const cv::Mat& texture) {
+Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPicture& texture) {
   std::vector<std::vector<cv::Point>> borders;
   cv::findContours(mask, borders, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
   cv::Mat inside;
@@ -118,7 +118,7 @@ Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const cv::Mat& 
       if (length > 0.0F) normals[i] = down * (1.0F / length);
       places[i] = p + 0.5F * normals[i];
       if (AtBorder(pixels[i], mask.size()) || length <= 0.0F) continue;
-      const float there = texture.at<float>(border[i].y / 2, border[i].x / 2);
+      const float there = texture.At(border[i].x, border[i].y);
       const Shift shift = SteepestPlace(light, there, places[i], normals[i]);
       shifts[i] = shift.px * shift.weight;
       weights[i] = shift.weight;

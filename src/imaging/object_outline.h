@@ -5,6 +5,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "imaging/cell_picture.h"
+
 namespace dorsum {
 
 // Closed curves of sub-pixel points, px; the last point joins the first. Holes are curves of their own. Along
@@ -13,9 +15,9 @@ using Outlines = std::vector<std::vector<cv::Point2f>>;
 
 // The outlines of an object whose pixels are known (`mask`, CV_8UC1), to a part of a pixel: each place goes
 // to the steepest change of `light` (imaging/led_ratio.h, scale 1) along the outline's normal within 2 px, as
-// far as it is steeper than `texture` says of the rest (CV_32FC1, > 0, of half the size), and follows its
-// neighbours along the outline otherwise.
-Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const cv::Mat& texture);
+// far as it is steeper than `texture` (> 0) says of the rest, and follows its neighbours along the outline
+// otherwise.
+Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPicture& texture);
 
 // CV_8UC1, 255 on pixels whose centres lie within an odd number of the curves.
 cv::Mat FillOutlines(const Outlines& outlines, cv::Size size);

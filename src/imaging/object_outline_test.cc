@@ -25,7 +25,7 @@ cv::Mat Disc(cv::Point2f centre, float radius) {
   return light;
 }
 
-cv::Mat Texture(float value) { return {60, 80, CV_32FC1, cv::Scalar(value)}; }
+CellPicture Texture(float value) { return {cv::Mat(15, 20, CV_32FC1, cv::Scalar(value)), 8}; }
 
 TEST(FindOutlines, LieWhereTheLightChangesNotWhereThePixelsEnd) {
   const cv::Point2f centre(80.3F, 59.6F);
