@@ -6,8 +6,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -16,23 +19,41 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 class LatticeMesher {
  public:
-  LatticeMesher(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
-                double max_slope_deg)
+  // `inside`: the distance to the outline at the nodes. The cells between the rows `first` and `last`.
+  LatticeMesher(const PlateLattice& lattice, const cv::Mat1f& inside, const RayField& rays,
+                double max_slope_deg, int first, int last)
       : l_(lattice),
         rays_(rays),
-        inside_(outline.AtNodes(l_.u0, l_.v0, l_.step_px, l_.active.size())),
-        max_tilt_(1.0 + std::pow(std::tan(max_slope_deg * std::numbers::pi / 180.0), 2)) {
-    for (auto& ids : ids_) ids.assign(l_.active.total(), kNone);
-    const auto nodes = static_cast<std::size_t>(cv::countNonZero(l_.active));
+        inside_(inside),
+        max_tilt_(1.0 + std::pow(std::tan(max_slope_deg * std::numbers::pi / 180.0), 2)),
+        first_(first),
+        last_(last) {
+    const cv::Mat active = l_.active.rowRange(first, last + 1);
+    for (auto& ids : ids_) ids.assign(active.total(), kNone);
+    const auto nodes = static_cast<std::size_t>(cv::countNonZero(active));
     mesh_.vertices.reserve(nodes);
     mesh_.faces.reserve(2 * nodes);
-  }
-
-  TriangleMesh Mesh() {
-    for (int r = 0; r + 1 < l_.active.rows; ++r) {
+    for (int r = first_; r < last_; ++r) {
       for (int c = 0; c + 1 < l_.active.cols; ++c) MeshCell(c, r);
     }
-    return std::move(mesh_);
+  }
+
+  // Adds this part to `whole`, which holds those above it; `ids` are the vertices of `whole` on the row that
+  // both share, and then those on this part's last row.
+  void AddTo(TriangleMesh* whole, std::vector<std::uint32_t>* ids) const {
+    std::vector<std::uint32_t> to(mesh_.vertices.size(), kNone);
+    const std::vector<std::uint32_t> top = VerticesOfRow(first_);
+    for (std::size_t i = 0; i < top.size() && i < ids->size(); ++i) {
+      if (top[i] != kNone) to[top[i]] = (*ids)[i];
+    }
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      if (to[i] != kNone) continue;
+      to[i] = static_cast<std::uint32_t>(whole->vertices.size());
+      whole->vertices.push_back(mesh_.vertices[i]);
+    }
+    for (const auto& f : mesh_.faces) whole->faces.push_back({to[f[0]], to[f[1]], to[f[2]]});
+    *ids = VerticesOfRow(last_);
+    for (std::uint32_t& id : *ids) id = id == kNone ? kNone : to[id];
   }
 
  private:
@@ -46,8 +67,18 @@ class LatticeMesher {
   }
 
   std::size_t Index(const Corner& at) const {
-    return static_cast<std::size_t>(at.r) * static_cast<std::size_t>(l_.active.cols) +
+    return static_cast<std::size_t>(at.r - first_) * static_cast<std::size_t>(l_.active.cols) +
            static_cast<std::size_t>(at.c);
+  }
+
+  // Those at the nodes of a row, then those between them.
+  std::vector<std::uint32_t> VerticesOfRow(int row) const {
+    std::vector<std::uint32_t> out;
+    for (const auto* ids : {&ids_[0], &ids_[1]}) {
+      const auto begin = ids->begin() + static_cast<std::ptrdiff_t>(Index({0, row}));
+      out.insert(out.end(), begin, begin + l_.active.cols);
+    }
+    return out;
   }
 
   std::uint32_t Node(const Corner& at) {
@@ -108,8 +139,9 @@ class LatticeMesher {
 
   const PlateLattice& l_;
   const RayField& rays_;
-  cv::Mat1f inside_;
+  const cv::Mat1f& inside_;
   double max_tilt_ = 1.0;
+  int first_, last_;                               // rows of nodes
   std::array<std::vector<std::uint32_t>, 3> ids_;  // of nodes, of crossings to the right and below
   TriangleMesh mesh_;
 };
@@ -143,50 +175,23 @@ void ComputeNormals(TriangleMesh* mesh) {
 }  // namespace
 
 TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
-                         double max_slope_deg) {
-  TriangleMesh mesh = LatticeMesher(lattice, outline, rays, max_slope_deg).Mesh();
+                         double max_slope_deg, const Context& context) {
+  constexpr int kParts = 4;
+  const PlateLattice& l = lattice;
+  const cv::Mat1f inside = outline.AtNodes(l.u0, l.v0, l.step_px, l.active.size());
+  TriangleMesh mesh;
+  if (l.active.rows < 2) return mesh;
+  std::vector<std::optional<LatticeMesher>> parts(kParts);
+  ParallelFor(context, 0, kParts, [&](std::int64_t k) {
+    const int cells = l.active.rows - 1, part = static_cast<int>(k);
+    parts[static_cast<std::size_t>(k)].emplace(l, inside, rays, max_slope_deg, part * cells / kParts,
+                                               (part + 1) * cells / kParts);
+  });
+  std::vector<std::uint32_t> shared;
+  for (const auto& part : parts) part->AddTo(&mesh, &shared);
   DropLooseVertices(&mesh);
   ComputeNormals(&mesh);
   return mesh;
-}
-
-HeightField RasterizeMesh(const TriangleMesh& mesh, double pitch_mm) {
-  HeightField field;
-  field.pitch_mm = pitch_mm;
-  if (mesh.faces.empty()) return field;
-  Eigen::Vector2d low = mesh.vertices[0].head<2>(), high = low;
-  for (const Eigen::Vector3d& p : mesh.vertices) {
-    low = low.cwiseMin(p.head<2>());
-    high = high.cwiseMax(p.head<2>());
-  }
-  // Origins on whole multiples of the pitch, so that the fields of repeats lie on the same grid.
-  field.origin_mm = (low / pitch_mm).array().floor() * pitch_mm;
-  const Eigen::Vector2d size = (high - field.origin_mm) / pitch_mm;
-  field.z = cv::Mat1f(static_cast<int>(std::ceil(size.y())) + 1, static_cast<int>(std::ceil(size.x())) + 1,
-                      std::numeric_limits<float>::quiet_NaN());
-  for (const auto& f : mesh.faces) {
-    std::array<Eigen::Vector2d, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = (mesh.vertices[f[i]].head<2>() - field.origin_mm) / pitch_mm;
-    const Eigen::Vector2d e1 = p[1] - p[0], e2 = p[2] - p[0];
-    const double area = e1.x() * e2.y() - e1.y() * e2.x();
-    if (std::abs(area) < 1e-12) continue;
-    const auto [c0, c1] = std::minmax({p[0].x(), p[1].x(), p[2].x()});
-    const auto [r0, r1] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
-    for (int r = static_cast<int>(std::ceil(r0)); r <= static_cast<int>(std::floor(r1)); ++r) {
-      for (int c = static_cast<int>(std::ceil(c0)); c <= static_cast<int>(std::floor(c1)); ++c) {
-        const Eigen::Vector2d q(c - p[0].x(), r - p[0].y());
-        const double s = (q.x() * e2.y() - q.y() * e2.x()) / area,
-                     t = (e1.x() * q.y() - e1.y() * q.x()) / area;
-        constexpr double kSlack = 1e-9;
-        if (s < -kSlack || t < -kSlack || s + t > 1.0 + kSlack) continue;
-        const double z = mesh.vertices[f[0]].z() * (1.0 - s - t) + mesh.vertices[f[1]].z() * s +
-                         mesh.vertices[f[2]].z() * t;
-        float& out = field.z(r, c);
-        if (!(out >= z)) out = static_cast<float>(z);
-      }
-    }
-  }
-  return field;
 }
 
 }  // namespace dorsum

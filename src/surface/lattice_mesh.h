@@ -14,10 +14,6 @@ namespace dorsum {
 // camera's image plane than `max_slope_deg` (a depth jump), or where the lattice is not active. Normals point
 // up.
 TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
-                         double max_slope_deg);
-
-// Heights of a mesh over a regular grid of the backplane, the highest where it overlaps itself; NaN
-// elsewhere.
-HeightField RasterizeMesh(const TriangleMesh& mesh, double pitch_mm);
+                         double max_slope_deg, const Context& context = {});
 
 }  // namespace dorsum

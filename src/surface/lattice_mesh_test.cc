@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "surface/fusion_scene_test.h"
+#include "surface/mesh_raster.h"
 
 namespace dorsum {
 namespace {

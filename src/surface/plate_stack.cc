@@ -2,7 +2,10 @@
 #include "surface/plate_stack.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -23,12 +26,15 @@ cv::Mat3f EverySecond(const cv::Mat3f& stiffness, cv::Size size) {
 }  // namespace
 
 std::vector<PlateGrid> MakeGrids(const PlateLattice& lattice, double mm_per_px,
-                                 const std::vector<PlateSample>& samples) {
+                                 const std::vector<PlateSample>& samples, const Context& context) {
   std::vector<PlateGrid> grids = {{lattice, {}}};
   while (grids.back().lattice.step_px * mm_per_px <= kCoarsestStepMm) {
     grids.push_back({Coarsen(grids.back().lattice), {}});
   }
-  for (PlateGrid& grid : grids) grid.places = FindPlaces(grid.lattice, samples);
+  ParallelFor(context, 0, static_cast<std::int64_t>(grids.size()), [&](std::int64_t i) {
+    PlateGrid& grid = grids[static_cast<std::size_t>(i)];
+    grid.places = FindPlaces(grid.lattice, samples);
+  });
   return grids;
 }
 

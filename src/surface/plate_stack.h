@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/context.h"
 #include "surface/plate.h"
 #include "surface/plate_solver.h"
 #include "surface/plate_system.h"
@@ -20,7 +21,7 @@ struct PlateGrid {
 // The lattice and those that are twice, four times ... as coarse, until nodes are more than 6 mm apart. Those
 // have heights 0 and no stiffness.
 std::vector<PlateGrid> MakeGrids(const PlateLattice& lattice, double mm_per_px,
-                                 const std::vector<PlateSample>& samples);
+                                 const std::vector<PlateSample>& samples, const Context& context = {});
 
 // A plate's equations on a lattice and on the coarser ones that its solution goes through (plate_solver.h).
 class PlateStack {

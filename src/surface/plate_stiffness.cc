@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -69,15 +70,24 @@ cv::Mat3f LocalStiffness(const PlateLattice& coarse, const PlateLattice& fine,
       for (int i = 0; i < 3; ++i) highest = std::max(highest, curvature(r, c)[i]);
     }
   }
+  for (int r = 0; r < coarse.z.rows; ++r) {
+    for (int c = 0; c < coarse.z.cols; ++c) {
+      const cv::Vec3f k2 = weight(r, c) > kEnough ? curvature(r, c) : cv::Vec3f::all(highest);
+      for (int i = 0; i < 3; ++i) curvature(r, c)[i] = 1.0F / (area * (least + k2[i]));
+    }
+  }
+  if (fine.z.size() == coarse.z.size()) return curvature;
   cv::Mat3f out(fine.z.size());
   const double ratio = fine.step_px / coarse.step_px;
+  const auto nearest = [&](int i, int count) {
+    return std::min(count - 1, static_cast<int>(std::lround(i * ratio)));
+  };
+  std::vector<int> columns;
+  for (int c = 0; c < out.cols; ++c) columns.push_back(nearest(c, coarse.z.cols));
   for (int r = 0; r < out.rows; ++r) {
-    const int y = std::min(coarse.z.rows - 1, static_cast<int>(std::lround(r * ratio)));
-    for (int c = 0; c < out.cols; ++c) {
-      const int x = std::min(coarse.z.cols - 1, static_cast<int>(std::lround(c * ratio)));
-      const cv::Vec3f k2 = weight(y, x) > kEnough ? curvature(y, x) : cv::Vec3f::all(highest);
-      for (int i = 0; i < 3; ++i) out(r, c)[i] = 1.0F / (area * (least + k2[i]));
-    }
+    const auto* in = curvature.ptr<cv::Vec3f>(nearest(r, coarse.z.rows));
+    auto* to = out.ptr<cv::Vec3f>(r);
+    for (std::size_t c = 0; c < columns.size(); ++c) to[c] = in[columns[c]];
   }
   return out;
 }

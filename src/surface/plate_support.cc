@@ -2,12 +2,16 @@
 #include "surface/plate_support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
 
 #include <opencv2/imgproc.hpp>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -21,11 +25,20 @@ void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
   // With a frame, so that no border needs a test.
   cv::Mat1f d(way->rows + 2, way->cols + 2, kFar);
   way->copyTo(d(cv::Rect(1, 1, way->cols, way->rows)));
-  for (bool changed = true; changed;) {
-    changed = false;
+  // When each row was changed last, and swept last downwards and upwards: only what came after that matters.
+  std::vector<int> changed(static_cast<std::size_t>(d.rows), 0);
+  std::array<std::vector<int>, 2> swept;
+  for (auto& when : swept) when.assign(changed.size(), -1);
+  int now = 0;
+  for (bool any = true; any;) {
+    any = false;
     for (const int sign : {-1, 1}) {
       for (int i = 0; i < way->rows; ++i) {
         const int r = sign < 0 ? i : way->rows - 1 - i;
+        const auto row = static_cast<std::size_t>(r + 1), before_row = static_cast<std::size_t>(r + 1 + sign);
+        int& last = swept[sign < 0 ? 0 : 1][row];
+        if (std::max(changed[row], changed[before_row]) <= last) continue;
+        last = now;
         const auto* known = on.ptr<std::uint8_t>(r) - 1;
         auto* here = d.ptr<float>(r + 1);
         const auto* before = d.ptr<float>(r + 1 + sign);
@@ -37,7 +50,11 @@ void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
           const float least = std::min(straight, slanting);
           if (!(least < here[c])) continue;
           here[c] = least;
-          changed = true;
+          changed[row] = now + 1;
+        }
+        if (changed[row] > now) {
+          ++now;
+          any = true;
         }
       }
     }
@@ -95,7 +112,8 @@ PlateLattice MakeSupport(const std::vector<PlateSample>& samples, const Outline&
   return l;
 }
 
-void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lattice) {
+void StartFromMedians(const std::vector<PlateSample>& samples, const Context& context,
+                      PlateLattice* lattice) {
   PlateLattice& l = *lattice;
   const auto cells = static_cast<std::size_t>(l.active.total());
   const auto cell_of = [&](const PlateSample& s) -> std::optional<std::size_t> {
@@ -117,8 +135,9 @@ void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lat
   const auto first_of = [&](std::size_t cell) { return cell == 0 ? 0U : ends[cell - 1]; };
   constexpr std::size_t kEnough = 10;
   constexpr int kMaxSpan = 8;
-  std::vector<float> around;
-  for (int r = 0; r < l.active.rows; ++r) {
+  ParallelFor(context, 0, l.active.rows, [&](std::int64_t row) {
+    const int r = static_cast<int>(row);
+    std::vector<float> around;
     for (int c = 0; c < l.active.cols; ++c) {
       if (l.active(r, c) == 0) continue;
       around.clear();
@@ -126,9 +145,9 @@ void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lat
         around.clear();
         for (int y = std::max(0, r - span); y <= std::min(l.active.rows - 1, r + span); ++y) {
           // Neighbouring cells' heights follow each other.
-          const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(l.active.cols);
-          const auto west = row + static_cast<std::size_t>(std::max(0, c - span));
-          const auto east = row + static_cast<std::size_t>(std::min(l.active.cols - 1, c + span));
+          const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(l.active.cols);
+          const auto west = begin + static_cast<std::size_t>(std::max(0, c - span));
+          const auto east = begin + static_cast<std::size_t>(std::min(l.active.cols - 1, c + span));
           around.insert(around.end(), heights.begin() + first_of(west), heights.begin() + ends[east]);
         }
       }
@@ -137,7 +156,7 @@ void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lat
       std::nth_element(around.begin(), middle, around.end());
       l.z(r, c) = *middle;
     }
-  }
+  });
 }
 
 }  // namespace dorsum

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/context.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
 
@@ -23,6 +24,6 @@ PlateLattice MakeSupport(const std::vector<PlateSample>& samples, const Outline&
 
 // Starts each active node from the median of the samples around it, which outliers in the minority do not
 // reach.
-void StartFromMedians(const std::vector<PlateSample>& samples, PlateLattice* lattice);
+void StartFromMedians(const std::vector<PlateSample>& samples, const Context& context, PlateLattice* lattice);
 
 }  // namespace dorsum

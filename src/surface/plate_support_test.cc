@@ -58,7 +58,7 @@ TEST(PlateSupportTest, MediansStartWhereAMinorityIsWrong) {
   std::vector<PlateSample> samples = Column(60.0F, 10, 29);
   for (std::size_t i = 0; i < samples.size(); i += 4) samples[i].z = 45.0F;
   PlateLattice l = MakeSupport(samples, outline, {.step_px = 4.0, .mm_per_px = 1.0});
-  StartFromMedians(samples, &l);
+  StartFromMedians(samples, {}, &l);
   for (int r = 0; r < l.z.rows; ++r) {
     for (int c = 0; c < l.z.cols; ++c) {
       EXPECT_EQ(l.z(r, c), l.active(r, c) != 0 ? 5.0F : 0.0F);

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <utility>
 
 #include "base/median.h"
 #include "base/parallel.h"
 #include "surface/lattice_mesh.h"
+#include "surface/mesh_raster.h"
 #include "surface/outline.h"
 #include "surface/plate.h"
 #include "surface/plate_stack.h"
@@ -129,7 +131,7 @@ class Fuser {
                                             .mm_per_px = mm_per_px_,
                                             .max_beyond_mm = options_.max_beyond_mm,
                                             .max_gap_mm = options_.max_gap_mm}),
-                               mm_per_px_, samples_);
+                               mm_per_px_, samples_, context_);
     while (grids_[coarsest_].lattice.step_px * mm_per_px_ < kCoarsestStepMm) ++coarsest_;
   }
 
@@ -146,13 +148,14 @@ class Fuser {
 
   void MakeSurface(const Rim& rim) {
     PlateLattice& finest = grids_[0].lattice;
-    for (int r = 0; r < finest.z.rows; ++r) {
+    ParallelFor(context_, 0, finest.z.rows, [&](std::int64_t row) {
+      const int r = static_cast<int>(row);
       for (int c = 0; c < finest.z.cols; ++c) {
         if (finest.active(r, c) != 0) finest.z(r, c) += rim.Height(finest.U(c), finest.V(r));
       }
-    }
-    out_.mesh = MeshLattice(finest, outline_, rays_, options_.max_slope_deg);
-    out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm);
+    });
+    out_.mesh = MeshLattice(finest, outline_, rays_, options_.max_slope_deg, context_);
+    out_.field = RasterizeMesh(out_.mesh, options_.pitch_mm, context_);
   }
 
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
@@ -172,7 +175,7 @@ class Fuser {
   void SolveCoarsest() {
     PlateLattice& l = grids_[coarsest_].lattice;
     l.stiffness = cv::Mat3f(l.z.size(), cv::Vec3f::all(kStartStiffness));
-    StartFromMedians(samples_, &l);
+    StartFromMedians(samples_, context_, &l);
     Solve(coarsest_, {8.0, 4.0, 2.5});
   }
 
