@@ -49,13 +49,17 @@ int Processors() { return tbb::info::default_concurrency(); }
 
 void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
                  const std::function<void(std::int64_t)>& body) {
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
+  const auto loop = [&] {
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(begin, end),
                       [&](const tbb::blocked_range<std::int64_t>& range) {
                         for (std::int64_t i = range.begin(); i != range.end(); ++i) body(i);
                       });
-  });
+  };
+  // A loop within another one has the outer one's threads at hand; waiting for its end, a thread must not begin
+  // with another round of the outer one.
+  if (tbb::this_task_arena::max_concurrency() == threads) return tbb::this_task_arena::isolate(loop);
+  tbb::task_arena arena(threads);
+  arena.execute(loop);
 }
 #endif
 

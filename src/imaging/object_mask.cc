@@ -150,7 +150,7 @@ Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::
   fine.known = OpenOutline(large(cv::Rect({0, 0}, part.size())), kReach);
   fine.texture = texture.Part(half.tl(), 2, kFineTexture);
   fine.pull = options.seed_strength * CountVotes(SeedsWithin(seeds, part), part.size(), 1);
-  Outlines outlines = FindOutlines(CutInBand(fine, context), fine.light, fine.texture);
+  Outlines outlines = FindOutlines(CutInBand(fine, context), fine.light, fine.texture, context);
   MoveBy(part.tl(), &outlines);
   return outlines;
 }
@@ -205,7 +205,7 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
     result.outlines = FineOutlines(before, after, object, coarse.texture, own, part, options, context);
     MoveBy(busy.tl(), &result.outlines);
   }
-  result.mask = FillOutlines(result.outlines, hand.size());
+  result.mask = FillOutlines(result.outlines, hand.size(), context);
   result.area_share =
       static_cast<double>(cv::countNonZero(result.mask)) / static_cast<double>(result.mask.total());
   result.contradicting = ContradictingShare(seeds, result.mask);

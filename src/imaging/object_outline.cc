@@ -8,6 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "base/parallel.h"
+
 namespace dorsum {
 namespace {
 
@@ -45,8 +47,11 @@ std::vector<T> Smoothed(const std::vector<T>& values) {
   std::vector<T> out(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     T sum{};
+    const bool wraps = i < kNeighbours || i + kNeighbours >= values.size();
     for (int k = -kNeighbours; k <= kNeighbours; ++k) {
-      sum += values[Wrapped(i, k, values.size())] * weights[static_cast<std::size_t>(k + kNeighbours)];
+      const std::size_t at =
+          wraps ? Wrapped(i, k, values.size()) : i + static_cast<std::size_t>(k + kNeighbours) - kNeighbours;
+      sum += values[at] * weights[static_cast<std::size_t>(k + kNeighbours)];
     }
     out[i] = sum * (1.0F / total);
   }
@@ -97,32 +102,46 @@ cv::Point2f OntoBorder(cv::Point pixel, cv::Size size) {
   return p;
 }
 
+// 0 to 1.
+cv::Mat SmoothMask(const cv::Mat& mask, const Context& context) {
+  constexpr int kRows = 64;  // that are smoothed together
+  cv::Mat inside, smooth(mask.size(), CV_32FC1);
+  mask.convertTo(inside, CV_32F, 1.0 / 255.0);
+  ParallelFor(context, 0, (mask.rows + kRows - 1) / kRows, [&](std::int64_t block) {
+    const int first = static_cast<int>(block) * kRows;
+    const cv::Range rows(first, std::min(mask.rows, first + kRows));
+    cv::Mat out = smooth.rowRange(rows);  // smoothed with the rows beside them
+    cv::GaussianBlur(inside.rowRange(rows), out, {7, 7}, 1.5);
+  });
+  return smooth;
+}
+
 }  // namespace
 
-Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPicture& texture) {
+Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPicture& texture,
+                      const Context& context) {
   std::vector<std::vector<cv::Point>> borders;
   cv::findContours(mask, borders, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
-  cv::Mat inside;
-  mask.convertTo(inside, CV_32F, 1.0 / 255.0);
-  cv::GaussianBlur(inside, inside, {7, 7}, 1.5);
+  const cv::Mat inside = SmoothMask(mask, context);
   Outlines outlines;
   for (const std::vector<cv::Point>& border : borders) {
     const std::vector<cv::Point2f> pixels(border.begin(), border.end());
     std::vector<cv::Point2f> places = Smoothed(pixels), normals(pixels.size());
     std::vector<float> shifts(pixels.size(), 0.0F), weights(pixels.size(), 0.0F);
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    ParallelFor(context, 0, static_cast<std::int64_t>(places.size()), [&](std::int64_t at) {
+      const auto i = static_cast<std::size_t>(at);
       const cv::Point2f p = places[i];
       const cv::Point2f down(Sample(inside, p - cv::Point2f(1, 0)) - Sample(inside, p + cv::Point2f(1, 0)),
                              Sample(inside, p - cv::Point2f(0, 1)) - Sample(inside, p + cv::Point2f(0, 1)));
       const auto length = static_cast<float>(cv::norm(down));
       if (length > 0.0F) normals[i] = down * (1.0F / length);
       places[i] = p + 0.5F * normals[i];
-      if (AtBorder(pixels[i], mask.size()) || length <= 0.0F) continue;
+      if (AtBorder(pixels[i], mask.size()) || length <= 0.0F) return;
       const float there = texture.At(border[i].x, border[i].y);
       const Shift shift = SteepestPlace(light, there, places[i], normals[i]);
       shifts[i] = shift.px * shift.weight;
       weights[i] = shift.weight;
-    }
+    });
     shifts = Smoothed(shifts);
     weights = Smoothed(weights);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -135,7 +154,7 @@ Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPictu
   return outlines;
 }
 
-cv::Mat FillOutlines(const Outlines& outlines, cv::Size size) {
+cv::Mat FillOutlines(const Outlines& outlines, cv::Size size, const Context& context) {
   std::vector<std::vector<float>> crossings(static_cast<std::size_t>(size.height));
   for (const std::vector<cv::Point2f>& curve : outlines) {
     for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -148,16 +167,18 @@ cv::Mat FillOutlines(const Outlines& outlines, cv::Size size) {
       }
     }
   }
-  cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
-  for (int v = 0; v < size.height; ++v) {
+  cv::Mat mask(size, CV_8UC1);
+  ParallelFor(context, 0, size.height, [&](std::int64_t v) {
     std::vector<float>& row = crossings[static_cast<std::size_t>(v)];
     std::sort(row.begin(), row.end());
+    auto* out = mask.ptr<std::uint8_t>(static_cast<int>(v));
+    std::fill_n(out, size.width, std::uint8_t{0});
     for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
       const int first = std::max(0, static_cast<int>(std::ceil(row[i])));
       const int last = std::min(size.width - 1, static_cast<int>(std::floor(row[i + 1])));
-      if (first <= last) mask(cv::Rect(first, v, last - first + 1, 1)).setTo(255);
+      if (first <= last) std::fill(out + first, out + last + 1, std::uint8_t{255});
     }
-  }
+  });
   return mask;
 }
 

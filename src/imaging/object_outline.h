@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/context.h"
 #include "imaging/cell_picture.h"
 
 namespace dorsum {
@@ -17,9 +18,10 @@ using Outlines = std::vector<std::vector<cv::Point2f>>;
 // to the steepest change of `light` (imaging/led_ratio.h, scale 1) along the outline's normal within 2 px, as
 // far as it is steeper than `texture` (> 0) says of the rest, and follows its neighbours along the outline
 // otherwise.
-Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPicture& texture);
+Outlines FindOutlines(const cv::Mat& mask, const cv::Mat& light, const CellPicture& texture,
+                      const Context& context = {});
 
 // CV_8UC1, 255 on pixels whose centres lie within an odd number of the curves.
-cv::Mat FillOutlines(const Outlines& outlines, cv::Size size);
+cv::Mat FillOutlines(const Outlines& outlines, cv::Size size, const Context& context = {});
 
 }  // namespace dorsum

@@ -2,6 +2,7 @@
 #include "stripes/joint_messages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -45,23 +46,32 @@ class Messages {
       std::copy(costs.begin(), costs.end(), &unary_[k * wide_]);
       candidates_.push_back(costs.size());
     }
-    messages_.reserve(2 * graph.edges.size() * wide_);
-    for (const JointEdge& e : graph.edges) {
-      const std::size_t a = place[static_cast<std::size_t>(e.first)],
-                        b = place[static_cast<std::size_t>(e.second)];
-      const std::size_t n = candidates_[a], m = candidates_[b];
-      if (n == 0 || m == 0) continue;
-      const std::size_t to_a = AddMessage(n), to_b = AddMessage(m);
-      const std::size_t from_a = costs_.size(), from_b = from_a + n * wide_;
-      costs_.resize(from_b + m * wide_, kNever);
-      for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < m; ++j) {
-          costs_[from_a + i * wide_ + j] = costs_[from_b + j * wide_ + i] =
-              e.heights[i * m + j] + e.orders[i * m + j];
-        }
+    // What a piece reads lies together: the messages to it, and its edges' costs.
+    std::vector<std::vector<std::size_t>> edges_of(pieces.size());
+    for (std::size_t k = 0; k < graph.edges.size(); ++k) {
+      const std::size_t a = place[static_cast<std::size_t>(graph.edges[k].first)],
+                        b = place[static_cast<std::size_t>(graph.edges[k].second)];
+      if (candidates_[a] == 0 || candidates_[b] == 0) continue;
+      edges_of[a].push_back(k);
+      edges_of[b].push_back(k);
+    }
+    std::vector<std::array<std::uint32_t, 2>> to(
+        graph.edges.size());  // where the messages to an edge's ends begin
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (const std::size_t k : edges_of[i]) {
+        const bool is_first = place[static_cast<std::size_t>(graph.edges[k].first)] == i;
+        to[k][is_first ? 0 : 1] = AddMessage(candidates_[i]);
       }
-      ends_[a].push_back({U(b), U(to_a), U(to_b), U(from_a)});
-      ends_[b].push_back({U(a), U(to_b), U(to_a), U(from_b)});
+    }
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (const std::size_t k : edges_of[i]) {
+        const JointEdge& e = graph.edges[k];
+        const std::size_t a = place[static_cast<std::size_t>(e.first)],
+                          b = place[static_cast<std::size_t>(e.second)];
+        const bool is_first = a == i;
+        ends_[i].push_back({static_cast<std::uint32_t>(is_first ? b : a), to[k][is_first ? 0 : 1],
+                            to[k][is_first ? 1 : 0], AddCosts(e, candidates_[a], candidates_[b], is_first)});
+      }
     }
     belief_.resize(wide_);
     fresh_.resize(wide_);
@@ -95,13 +105,22 @@ class Messages {
   }
 
  private:
-  static std::uint32_t U(std::size_t i) { return static_cast<std::uint32_t>(i); }
-
-  std::size_t AddMessage(std::size_t candidates) {
+  std::uint32_t AddMessage(std::size_t candidates) {
     const std::size_t at = messages_.size();
     messages_.resize(at + wide_, kNever);
     std::fill_n(&messages_[at], candidates, 0.0F);
-    return at;
+    return static_cast<std::uint32_t>(at);
+  }
+
+  // An edge's costs by the candidates of its first or its second piece, which have `n` and `m`.
+  std::uint32_t AddCosts(const JointEdge& e, std::size_t n, std::size_t m, bool by_first) {
+    const std::size_t at = costs_.size();
+    costs_.resize(at + (by_first ? n : m) * wide_, kNever);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < m; ++j)
+        costs_[at + (by_first ? i * wide_ + j : j * wide_ + i)] = e.heights[i * m + j] + e.orders[i * m + j];
+    }
+    return static_cast<std::uint32_t>(at);
   }
 
   // Calls body(place) for all lanes' places, in steps that are vectorised.
