@@ -55,8 +55,8 @@ void RunThreaded(int threads, std::int64_t begin, std::int64_t end,
                         for (std::int64_t i = range.begin(); i != range.end(); ++i) body(i);
                       });
   };
-  // A loop within another one has the outer one's threads at hand; waiting for its end, a thread must not begin
-  // with another round of the outer one.
+  // A loop within another one has the outer one's threads at hand; waiting for its end, a thread must not
+  // begin with another round of the outer one.
   if (tbb::this_task_arena::max_concurrency() == threads) return tbb::this_task_arena::isolate(loop);
   tbb::task_arena arena(threads);
   arena.execute(loop);

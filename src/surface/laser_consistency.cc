@@ -206,7 +206,7 @@ std::vector<LaserConsistency> CompareLasers(const std::vector<PlateSample>& samp
   const Scene scene{.samples = samples,
                     .lasers = lasers,
                     .grids = fused,
-                    .stack = PlateStack(plate, fused),
+                    .stack = PlateStack(plate, fused, context),
                     .plate = plate,
                     .rim = RimAtNodes(rim, fused[0].lattice),
                     .rays = rays,

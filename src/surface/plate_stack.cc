@@ -2,7 +2,9 @@
 #include "surface/plate_stack.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
@@ -23,6 +25,19 @@ cv::Mat3f EverySecond(const cv::Mat3f& stiffness, cv::Size size) {
   return out;
 }
 
+// What `make` returns for each number below `count`, found side by side.
+template <class Make>
+std::vector<PlateSystem> ForEach(std::size_t count, const Context& context, const Make& make) {
+  std::vector<std::optional<PlateSystem>> made(count);
+  ParallelFor(context, 0, static_cast<std::int64_t>(count), [&](std::int64_t k) {
+    made[static_cast<std::size_t>(k)].emplace(make(static_cast<std::size_t>(k)));
+  });
+  std::vector<PlateSystem> out;
+  out.reserve(count);
+  for (auto& one : made) out.push_back(std::move(*one));
+  return out;
+}
+
 }  // namespace
 
 std::vector<PlateGrid> MakeGrids(const PlateLattice& lattice, double mm_per_px,
@@ -38,27 +53,29 @@ std::vector<PlateGrid> MakeGrids(const PlateLattice& lattice, double mm_per_px,
   return grids;
 }
 
-PlateStack::PlateStack(const PlateOptions& options, std::span<const PlateGrid> grids) {
-  PlateLattice now = grids[0].lattice;
-  std::vector<PlateSystem> bending;
-  bending.reserve(grids.size());
-  bending.emplace_back(options, now);
-  for (const PlateGrid& grid : grids.subspan(1)) {
-    const cv::Mat3f stiffness = EverySecond(now.stiffness, grid.lattice.active.size());
-    now = grid.lattice;
-    now.stiffness = stiffness;
-    bending.emplace_back(options, now);
+PlateStack::PlateStack(const PlateOptions& options, std::span<const PlateGrid> grids,
+                       const Context& context) {
+  std::vector<PlateLattice> lattices;
+  lattices.reserve(grids.size());
+  for (const PlateGrid& grid : grids) {
+    lattices.push_back(grid.lattice);
+    if (lattices.size() == 1) continue;
+    PlateLattice& now = lattices.back();
+    now.stiffness = EverySecond(lattices[lattices.size() - 2].stiffness, now.active.size());
   }
-  bending_ = std::make_shared<const std::vector<PlateSystem>>(std::move(bending));
+  bending_ = std::make_shared<const std::vector<PlateSystem>>(
+      ForEach(grids.size(), context, [&](std::size_t k) { return PlateSystem(options, lattices[k]); }));
 }
 
-void PlateStack::SetSamples(std::span<const float> weights, std::span<const PlateGrid> grids) {
-  systems_ = *bending_;
-  for (std::size_t k = 0; k < systems_.size(); ++k) {
+void PlateStack::SetSamples(std::span<const float> weights, std::span<const PlateGrid> grids,
+                            const Context& context) {
+  systems_ = ForEach(grids.size(), context, [&](std::size_t k) {
+    PlateSystem system = (*bending_)[k];
     // Stripes lie close enough that every fourth sample, four times, tells the coarser ones the same.
-    systems_[k].AddSamples(grids[k].places, weights, k == 0 ? 1 : 4);
-    systems_[k].Finish();
-  }
+    system.AddSamples(grids[k].places, weights, k == 0 ? 1 : 4);
+    system.Finish();
+    return system;
+  });
 }
 
 void PlateStack::UpdateSamples(std::span<const float> weights, const PlateGrid& grid) {

@@ -27,10 +27,11 @@ std::vector<PlateGrid> MakeGrids(const PlateLattice& lattice, double mm_per_px,
 class PlateStack {
  public:
   // Without samples. `grids`: from the lattice to be solved, whose stiffness the coarser ones take over.
-  PlateStack(const PlateOptions& options, std::span<const PlateGrid> grids);
+  PlateStack(const PlateOptions& options, std::span<const PlateGrid> grids, const Context& context = {});
 
   // Samples with these weights, in place of those before. `grids`: as above.
-  void SetSamples(std::span<const float> weights, std::span<const PlateGrid> grids);
+  void SetSamples(std::span<const float> weights, std::span<const PlateGrid> grids,
+                  const Context& context = {});
   // The same for the lattice to be solved alone: good enough where the weights have changed little.
   void UpdateSamples(std::span<const float> weights, const PlateGrid& grid);
 

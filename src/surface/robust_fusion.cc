@@ -57,17 +57,22 @@ PlateLattice CopyOf(const PlateLattice& l) {
 
 // Geman and McClure's weights for the residuals against a grid's present surface.
 std::vector<float> Reweigh(const std::vector<PlateSample>& samples, const PlateGrid& grid, double scale_mm,
-                           double sigmas) {
+                           double sigmas, const Context& context) {
+  constexpr std::size_t kTogether = 2048;
   std::vector<float> out(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const PlateSample& s = samples[i];
-    out[i] = s.weight;
-    const float z = HeightAt(grid.lattice, grid.places[i]);
-    if (s.weight <= 0.0F || !std::isfinite(z)) continue;
-    const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
-    const double e = (s.z - z) / scale;
-    out[i] = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
-  }
+  ParallelFor(context, 0, static_cast<std::int64_t>((samples.size() + kTogether - 1) / kTogether),
+              [&](std::int64_t block) {
+                const std::size_t first = static_cast<std::size_t>(block) * kTogether;
+                for (std::size_t i = first; i < std::min(samples.size(), first + kTogether); ++i) {
+                  const PlateSample& s = samples[i];
+                  out[i] = s.weight;
+                  const float z = HeightAt(grid.lattice, grid.places[i]);
+                  if (s.weight <= 0.0F || !std::isfinite(z)) continue;
+                  const double scale = std::max(scale_mm, sigmas / std::sqrt(static_cast<double>(s.weight)));
+                  const double e = (s.z - z) / scale;
+                  out[i] = static_cast<float>(s.weight / ((1.0 + e * e) * (1.0 + e * e)));
+                }
+              });
   return out;
 }
 
@@ -161,11 +166,11 @@ class Fuser {
   void Solve(std::size_t level, std::initializer_list<double> scales_mm) {
     PlateGrid& grid = grids_[level];
     const auto grids = std::span<const PlateGrid>(grids_).subspan(level);
-    PlateStack stack(plate_, grids);
+    PlateStack stack(plate_, grids, context_);
     bool first = true;
     for (const double scale : scales_mm) {
-      const std::vector<float> weights = Reweigh(samples_, grid, scale, options_.robust_sigmas);
-      first ? stack.SetSamples(weights, grids) : stack.UpdateSamples(weights, grid);
+      const std::vector<float> weights = Reweigh(samples_, grid, scale, options_.robust_sigmas, context_);
+      first ? stack.SetSamples(weights, grids, context_) : stack.UpdateSamples(weights, grid);
       first = false;
       stack.Solve(Heights(samples_), weights, grid, plate_, &solver_, &grid.lattice);
     }
@@ -181,7 +186,7 @@ class Fuser {
 
   Rim TakeRimOff() {
     std::vector<PlateSample> weighed = samples_;
-    SetWeights(Reweigh(samples_, grids_[coarsest_], 2.5, 2.0 * options_.robust_sigmas), &weighed);
+    SetWeights(Reweigh(samples_, grids_[coarsest_], 2.5, 2.0 * options_.robust_sigmas, context_), &weighed);
     Rim rim(weighed, outline_, {.mm_per_px = mm_per_px_}, context_);
     for (PlateSample& s : samples_) s.z -= rim.Height(s.u, s.v);
     PlateLattice& l = grids_[coarsest_].lattice;
@@ -199,9 +204,9 @@ class Fuser {
     level->lattice.stiffness = LocalStiffness(level->lattice, level->lattice, {.mm_per_px = mm_per_px_});
     const auto grids =
         std::span<const PlateGrid>(grids_).subspan(static_cast<std::size_t>(level - grids_.data()));
-    const std::vector<float> weights = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas);
-    PlateStack stack(plate_, grids);
-    stack.SetSamples(weights, grids);
+    const std::vector<float> weights = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas, context_);
+    PlateStack stack(plate_, grids, context_);
+    stack.SetSamples(weights, grids, context_);
     stack.Solve(Heights(samples_), weights, *level, exact, &solver_, &level->lattice);
     PlateOptions rough = plate_;  // shares of the lasers need no more
     rough.max_iterations = exact.max_iterations;
@@ -242,8 +247,9 @@ class Fuser {
     std::vector<PlateSample> pooled = PooledSamples();
     std::vector<PlateGrid> grids(grids_.begin() + (coarsest_ > 0 ? 1 : 0), grids_.end());
     grids[0].lattice = level;
-    SetWeights(Reweigh(pooled, grids[0], 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas),
-               &pooled);
+    SetWeights(
+        Reweigh(pooled, grids[0], 0.6 * level.step_px * mm_per_px_, 2.0 * options_.robust_sigmas, context_),
+        &pooled);
     out_.lasers = dorsum::CompareLasers(pooled, lasers_, grids, plate_, rim, rays_, {.mm_per_px = mm_per_px_},
                                         context_);
   }
