@@ -145,11 +145,16 @@ Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::
   const cv::Rect half(part.x / 2, part.y / 2, (part.width + 1) / 2, (part.height + 1) / 2);
   BandCut fine;
   fine.light = LedRatio(background(part), hand(part), 1, context);
-  cv::Mat large;
-  cv::resize(object(half), large, {2 * half.width, 2 * half.height}, 0, 0, cv::INTER_NEAREST);
-  fine.known = OpenOutline(large(cv::Rect({0, 0}, part.size())), kReach);
   fine.texture = texture.Part(half.tl(), 2, kFineTexture);
-  fine.pull = options.seed_strength * CountVotes(SeedsWithin(seeds, part), part.size(), 1);
+  ParallelFor(context, 0, 2, [&](std::int64_t task) {
+    if (task == 0) {
+      cv::Mat large;
+      cv::resize(object(half), large, {2 * half.width, 2 * half.height}, 0, 0, cv::INTER_NEAREST);
+      fine.known = OpenOutline(large(cv::Rect({0, 0}, part.size())), kReach);
+    } else {
+      fine.pull = options.seed_strength * CountVotes(SeedsWithin(seeds, part), part.size(), 1);
+    }
+  });
   Outlines outlines = FindOutlines(CutInBand(fine, context), fine.light, fine.texture, context);
   MoveBy(part.tl(), &outlines);
   return outlines;
@@ -169,20 +174,26 @@ double ContradictingShare(const std::vector<ObjectSeed>& seeds, const cv::Mat& m
 
 }  // namespace
 
-Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
-                                  const std::vector<ObjectSeed>& seeds, const cv::Mat& empty,
-                                  const ObjectMaskOptions& options, const Context& context) {
+ObjectLight FindObjectLight(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& empty,
+                            const Context& context) {
+  const cv::Rect busy = BusyPart(empty, hand.size());
+  return {empty, busy, LedRatio(background(busy), hand(busy), 2, context)};
+}
+
+Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand, const ObjectLight& light,
+                                  const std::vector<ObjectSeed>& seeds, const ObjectMaskOptions& options,
+                                  const Context& context) {
   if (background.type() != CV_8UC3 || hand.type() != CV_8UC3 || background.size() != hand.size())
     throw std::logic_error("RefineObjectMask: two CV_8UC3 pictures of one size are needed");
   const auto on_object = std::count_if(seeds.begin(), seeds.end(), [](const auto& s) { return s.object; });
   if (on_object < options.min_seeds) return ExtractHandMask(background, hand, options.picture_only, context);
 
-  const cv::Rect busy = BusyPart(empty, hand.size());
-  const cv::Mat before = background(busy), after = hand(busy);
+  const cv::Rect busy = light.busy;
+  const cv::Mat before = background(busy), after = hand(busy), empty = light.empty;
   const std::vector<ObjectSeed> own = SeedsWithin(seeds, busy);
   BandCut coarse;
-  coarse.light = LedRatio(before, after, 2, context);
-  SeedMap map = MapSeeds(own, coarse.light, 2);
+  coarse.light = light.doubled;
+  SeedMap map = MapSeeds(own, coarse.light, 2, context);
   SettleUnchanged(coarse.light, map.votes, &map.known);
   if (!empty.empty()) {
     cv::Mat small;

@@ -28,6 +28,15 @@ struct ObjectMaskOptions {
   HandMaskOptions picture_only;   // for use without seeds
 };
 
+// What the pictures under the LEDs show before any seed is known.
+struct ObjectLight {
+  cv::Mat empty;    // CV_8UC1, not 0 where there is surely nothing but backplane; or no picture
+  cv::Rect busy;    // around all that is not
+  cv::Mat doubled;  // CV_32FC1: the light there (imaging/led_ratio.h) on pixels of double size
+};
+ObjectLight FindObjectLight(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& empty,
+                            const Context& context = {});
+
 // The object's mask (§3.4) from what the stripes have proved and from the picture under the LEDs. A wrong
 // shadow never passes a stripe that lies on the backplane, a bright ring never parts a finger.
 //   Between two neighbouring seeds of one kind in a row all is of that kind. Elsewhere the outline is the
@@ -35,11 +44,10 @@ struct ObjectMaskOptions {
 // it, where shadow has none; a seed costs `seed_strength` when it lands on the wrong side, so that a few
 // wrong ones do no harm. First on pixels of double size, then on single ones along the outline found,
 // then to a part of a pixel (FindOutlines).
-//   `background` and `hand` are CV_8UC3 of one size. `empty`: CV_8UC1 of that size, not 0 where there is
-// surely nothing but backplane; or no picture. Too few seeds on the object: ExtractHandMask's answer.
-// An error when no object is seen, or one that has no outline.
-Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand,
-                                  const std::vector<ObjectSeed>& seeds, const cv::Mat& empty,
-                                  const ObjectMaskOptions& options, const Context& context = {});
+//   `background` and `hand` are CV_8UC3 of one size, `light` is theirs. Too few seeds on the object:
+// ExtractHandMask's answer. An error when no object is seen, or one that has no outline.
+Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand, const ObjectLight& light,
+                                  const std::vector<ObjectSeed>& seeds, const ObjectMaskOptions& options,
+                                  const Context& context = {});
 
 }  // namespace dorsum

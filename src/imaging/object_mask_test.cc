@@ -70,7 +70,9 @@ cv::Mat Fingers() {
 cv::Mat Refine(const Scene& scene, int threads = 1) {
   Context context;
   context.threads = threads;
-  const auto mask = RefineObjectMask(scene.background, scene.hand, scene.seeds, {}, {}, context);
+  const auto mask =
+      RefineObjectMask(scene.background, scene.hand, FindObjectLight(scene.background, scene.hand, {}),
+                       scene.seeds, {}, context);
   EXPECT_TRUE(mask.ok());
   return mask.ok() ? mask->mask : cv::Mat::zeros(kSize, CV_8UC1);
 }
@@ -149,7 +151,8 @@ TEST(RefineObjectMask, WithoutSeedsThePictureDecides) {
 TEST(RefineObjectMask, SaysHowManySeedsContradictTheOutline) {
   Scene scene = MakeScene(Fingers(), 0.4F, 12);
   for (std::size_t i = 0; i < scene.seeds.size(); i += 100) scene.seeds[i].object = !scene.seeds[i].object;
-  const auto mask = RefineObjectMask(scene.background, scene.hand, scene.seeds, {}, {});
+  const auto mask = RefineObjectMask(scene.background, scene.hand,
+                                     FindObjectLight(scene.background, scene.hand, {}), scene.seeds, {});
   ASSERT_TRUE(mask.ok());
   EXPECT_NEAR(mask->contradicting, 0.01, 0.003);
 }
@@ -157,7 +160,8 @@ TEST(RefineObjectMask, SaysHowManySeedsContradictTheOutline) {
 TEST(RefineObjectMask, ScatteredWrongSeedsOnAnEmptyBackplaneAreNoObject) {
   Scene scene = MakeScene(cv::Mat::zeros(kSize, CV_8UC1), 1.0F, 12);
   for (std::size_t i = 0; i < scene.seeds.size(); i += 71) scene.seeds[i].object = true;
-  const auto mask = RefineObjectMask(scene.background, scene.hand, scene.seeds, {}, {});
+  const auto mask = RefineObjectMask(scene.background, scene.hand,
+                                     FindObjectLight(scene.background, scene.hand, {}), scene.seeds, {});
   ASSERT_FALSE(mask.ok());
   EXPECT_NE(mask.error().message.find("no object is seen"), std::string::npos);
 }
@@ -165,14 +169,16 @@ TEST(RefineObjectMask, ScatteredWrongSeedsOnAnEmptyBackplaneAreNoObject) {
 TEST(RefineObjectMask, AnObjectWithoutAnOutlineIsAnError) {
   Scene scene = MakeScene(cv::Mat::zeros(kSize, CV_8UC1), 1.0F, 12);
   for (ObjectSeed& seed : scene.seeds) seed.object = true;
-  const auto mask = RefineObjectMask(scene.background, scene.hand, scene.seeds, {}, {});
+  const auto mask = RefineObjectMask(scene.background, scene.hand,
+                                     FindObjectLight(scene.background, scene.hand, {}), scene.seeds, {});
   ASSERT_FALSE(mask.ok());
   EXPECT_NE(mask.error().message.find("fill the picture"), std::string::npos);
 }
 
 TEST(RefineObjectMask, NothingThereIsAnError) {
   const Scene scene = MakeScene(cv::Mat::zeros(kSize, CV_8UC1), 1.0F, 12);
-  const auto mask = RefineObjectMask(scene.background, scene.hand, scene.seeds, {}, {});
+  const auto mask = RefineObjectMask(scene.background, scene.hand,
+                                     FindObjectLight(scene.background, scene.hand, {}), scene.seeds, {});
   ASSERT_FALSE(mask.ok());
   EXPECT_EQ(mask.error().code, ErrorCode::kBadInput);
   EXPECT_NE(mask.error().message.find("bgHand"), std::string::npos);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -67,14 +70,16 @@ cv::Mat CountVotes(const std::vector<ObjectSeed>& seeds, cv::Size size, int scal
   return votes;
 }
 
-SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int scale) {
+SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int scale,
+                 const Context& context) {
   SeedMap map;
   map.votes = CountVotes(seeds, ratio.size(), scale);
   map.known = cv::Mat(ratio.size(), CV_8UC1, cv::Scalar(kUnknownPixel));
   map.bridge = cv::Mat::zeros(ratio.size(), CV_8UC1);
   constexpr int kRing = 30;  // px: a ring's width
   const int farthest = UsualDistance(map.votes, scale);
-  for (int v = 0; v < ratio.rows; ++v) {
+  ParallelFor(context, 0, ratio.rows, [&](std::int64_t row) {
+    const int v = static_cast<int>(row);
     const std::vector<int> columns = SeedColumns(map.votes, v);
     const auto* votes = map.votes.ptr<float>(v);
     const auto* light = ratio.ptr<float>(v);
@@ -94,7 +99,7 @@ SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int
       const int a = columns[i - 1], b = columns[i];
       if ((votes[a] > 0.0F) != (votes[b] > 0.0F)) known[a] = known[b] = kUnknownPixel;
     }
-  }
+  });
   return map;
 }
 

@@ -25,6 +25,7 @@ cv::Mat CountVotes(const std::vector<ObjectSeed>& seeds, cv::Size size, int scal
 // What the seeds say of the pixels of an image of `ratio`'s size, `scale` times smaller than the captured
 // one. Between two seeds of one kind that follow each other in a row, all pixels are of that kind, when the
 // seeds lie no further apart than most neighbours do and the light between them is even.
-SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int scale);
+SeedMap MapSeeds(const std::vector<ObjectSeed>& seeds, const cv::Mat& ratio, int scale,
+                 const Context& context = {});
 
 }  // namespace dorsum

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/find_object.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "imaging/object_mask.h"
 #include "imaging/shadow.h"
 #include "imaging/stage_sink.h"
@@ -61,7 +63,7 @@ cv::Mat WithoutShadow(const cv::Mat& mask, const FoundObject& found) {
 }
 
 Result<HandMask> MaskFromSeeds(const CaptureImages& capture, const cv::Mat& background,
-                               const FoundObject& found, const cv::Mat& empty,
+                               const FoundObject& found, const ObjectLight& light,
                                const ReconstructOptions& options, const Context& context) {
   std::vector<ObjectSeed> seeds;
   for (const LaserStripes& one : found.stripes.lasers) {
@@ -74,7 +76,7 @@ Result<HandMask> MaskFromSeeds(const CaptureImages& capture, const cv::Mat& back
     }
   }
   for (const StripePoint& p : found.backplane) seeds.push_back({p.u, p.v, false});
-  return RefineObjectMask(background, capture.hand, seeds, empty, options.object_mask, context);
+  return RefineObjectMask(background, capture.hand, light, seeds, options.object_mask, context);
 }
 
 }  // namespace
@@ -102,10 +104,19 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   context.Report("indexing", 0.5);
   const cv::Mat empty = seen.empty;
   const std::map<int, LaserPicture> pictures = std::move(seen.pictures);
-  FoundObject out = Index(std::move(seen), orders, options, context);
+  // The light needs no orders, and most of the indexing has one thing to do after the other.
+  FoundObject out;
+  ObjectLight light;
+  ParallelFor(context, 0, robust ? 2 : 1, [&](std::int64_t task) {
+    if (task == 0) {
+      out = Index(std::move(seen), orders, options, context);
+    } else {
+      light = FindObjectLight(background, capture.hand, empty, context);
+    }
+  });
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (robust) {
-    DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, empty, options, context));
+    DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, light, options, context));
     KeepInside(out.mask.mask, &out.stripes);
     if (ridges) MeasureStripes(capture, out.mask.mask, pictures, options, context, &out.stripes);
     return out;

@@ -108,8 +108,9 @@ class Builder {
 
   void Continue(int above, int below, double cost) { rules_[EdgeOf(above, below)].change_cost = cost; }
 
-  std::vector<JointEdge> Finish() {
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
+  std::vector<JointEdge> Finish(const Context& context) {
+    ParallelFor(context, 0, static_cast<std::int64_t>(edges_.size()), [&](std::int64_t at) {
+      const auto e = static_cast<std::size_t>(at);
       JointEdge& edge = edges_[e];
       const Rule& rule = rules_[e];
       if (edge.observations > options_.most_observations) {
@@ -131,7 +132,7 @@ class Builder {
           edge.orders[k] = static_cast<float>(cost);
         }
       }
-    }
+    });
     return std::move(edges_);
   }
 
@@ -279,11 +280,15 @@ JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_row
                            double max_height_mm, const JointGraphOptions& options, const Context& context) {
   JointGraph graph;
   const double each = sample_rows / options.independent_rows;
-  for (const JointPiece& p : pieces) {
+  graph.observations.resize(pieces.size());
+  graph.unary.resize(pieces.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(pieces.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    const JointPiece& p = pieces[k];
     const double n = std::min(options.most_observations, each * static_cast<double>(p.samples.size()));
-    graph.observations.push_back(n);
-    graph.unary.push_back(UnaryCosts(p, min_height_mm, max_height_mm, n, options));
-  }
+    graph.observations[k] = n;
+    graph.unary[k] = UnaryCosts(p, min_height_mm, max_height_mm, n, options);
+  });
   const Rows rows = SortIntoRows(pieces);
   // Bands of rows, and parts of the pieces, side by side; always as many, so that sums come out the same.
   constexpr std::size_t kBands = 4;
@@ -302,7 +307,7 @@ JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_row
     builder.Continue(static_cast<int>(i - 1), static_cast<int>(i),
                      pieces[i].follows ? options.cut_cost : options.kink_cost);
   }
-  graph.edges = builder.Finish();
+  graph.edges = builder.Finish(context);
   return graph;
 }
 

@@ -178,7 +178,7 @@ TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, co
                          double max_slope_deg, const Context& context) {
   constexpr int kParts = 4;
   const PlateLattice& l = lattice;
-  const cv::Mat1f inside = outline.AtNodes(l.u0, l.v0, l.step_px, l.active.size());
+  const cv::Mat1f inside = outline.AtNodes(l.u0, l.v0, l.step_px, l.active.size(), context);
   TriangleMesh mesh;
   if (l.active.rows < 2) return mesh;
   std::vector<std::optional<LatticeMesher>> parts(kParts);

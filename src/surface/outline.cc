@@ -47,13 +47,14 @@ Outline::Outline(const cv::Mat& mask, int margin_px, int reach_px, const Context
     std::vector<float> roots;
     const int longest = std::max(reach_px, margin_px + 1);
     for (int i = 0; i <= longest * longest; ++i) roots.push_back(std::sqrt(static_cast<float>(i)));
-    for (int r = 0; r < bounds_.height; ++r) {
+    ParallelFor(context, 0, bounds_.height, [&](std::int64_t row) {
+      const int r = static_cast<int>(row);
       const auto *inwards = in.ptr<std::uint16_t>(r), *outwards = out.ptr<std::uint16_t>(r);
       auto* to = distance_.ptr<float>(r);
       for (int c = 0; c < bounds_.width; ++c) {
         to[c] = inwards[c] > 0 ? roots[inwards[c]] - 0.5F : std::max(0.5F - roots[outwards[c]], outside_);
       }
-    }
+    });
     return;
   }
   const cv::Mat1f in = DistanceInside(inside), out = DistanceInside(~inside);
@@ -80,12 +81,14 @@ float Outline::Distance(double u, double v) const {
   return a + fy * (b - a);
 }
 
-cv::Mat1f Outline::AtNodes(double u0, double v0, double step_px, cv::Size size) const {
+cv::Mat1f Outline::AtNodes(double u0, double v0, double step_px, cv::Size size,
+                           const Context& context) const {
   cv::Mat1f out(size);
-  for (int r = 0; r < size.height; ++r) {
-    auto* to = out.ptr<float>(r);
-    for (int c = 0; c < size.width; ++c) to[c] = Distance(u0 + step_px * c, v0 + step_px * r);
-  }
+  ParallelFor(context, 0, size.height, [&](std::int64_t r) {
+    auto* to = out.ptr<float>(static_cast<int>(r));
+    for (int c = 0; c < size.width; ++c)
+      to[c] = Distance(u0 + step_px * c, v0 + step_px * static_cast<double>(r));
+  });
   return out;
 }
 

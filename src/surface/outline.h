@@ -21,7 +21,7 @@ class Outline {
   // Bilinear between pixel centres; far outside -margin.
   float Distance(double u, double v) const;
   // The same at the nodes of a lattice (plate.h) of this size.
-  cv::Mat1f AtNodes(double u0, double v0, double step_px, cv::Size size) const;
+  cv::Mat1f AtNodes(double u0, double v0, double step_px, cv::Size size, const Context& context = {}) const;
 
   // The object's bounding box with the margin, cut at the image.
   const cv::Rect& bounds() const { return bounds_; }

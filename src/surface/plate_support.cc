@@ -63,8 +63,9 @@ void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
 }
 
 // Nodes inside the outline, and those with a neighbour inside.
-cv::Mat1b NodesOnObject(const PlateLattice& l, const Outline& outline, cv::Size size) {
-  const cv::Mat inside = outline.AtNodes(l.u0, l.v0, l.step_px, size) > 0.0F;
+cv::Mat1b NodesOnObject(const PlateLattice& l, const Outline& outline, cv::Size size,
+                        const Context& context) {
+  const cv::Mat inside = outline.AtNodes(l.u0, l.v0, l.step_px, size, context) > 0.0F;
   cv::Mat1b out;
   cv::dilate(inside, out, cv::Mat(3, 3, CV_8UC1, cv::Scalar(1)));
   return out;
@@ -73,14 +74,14 @@ cv::Mat1b NodesOnObject(const PlateLattice& l, const Outline& outline, cv::Size 
 }  // namespace
 
 PlateLattice MakeSupport(const std::vector<PlateSample>& samples, const Outline& outline,
-                         const PlateSupportOptions& options) {
+                         const PlateSupportOptions& options, const Context& context) {
   PlateLattice l;
   const cv::Rect& b = outline.bounds();
   l.step_px = options.step_px;
   l.u0 = b.x;
   l.v0 = b.y;
   const cv::Size size(static_cast<int>(b.width / l.step_px) + 2, static_cast<int>(b.height / l.step_px) + 2);
-  const cv::Mat1b on = NodesOnObject(l, outline, size);
+  const cv::Mat1b on = NodesOnObject(l, outline, size, context);
   cv::Mat1f to_sample(size, kFar);
   for (const PlateSample& s : samples) {
     const long c = std::lround((s.u - l.u0) / l.step_px), r = std::lround((s.v - l.v0) / l.step_px);

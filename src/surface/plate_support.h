@@ -20,7 +20,7 @@ struct PlateSupportOptions {
 // cells need, that samples are near to. Distances run along the object, not across the backplane between
 // fingers.
 PlateLattice MakeSupport(const std::vector<PlateSample>& samples, const Outline& outline,
-                         const PlateSupportOptions& options);
+                         const PlateSupportOptions& options, const Context& context = {});
 
 // Starts each active node from the median of the samples around it, which outliers in the minority do not
 // reach.

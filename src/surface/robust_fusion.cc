@@ -135,7 +135,8 @@ class Fuser {
                                            {.step_px = options_.pitch_mm / mm_per_px_,
                                             .mm_per_px = mm_per_px_,
                                             .max_beyond_mm = options_.max_beyond_mm,
-                                            .max_gap_mm = options_.max_gap_mm}),
+                                            .max_gap_mm = options_.max_gap_mm},
+                                           context_),
                                mm_per_px_, samples_, context_);
     while (grids_[coarsest_].lattice.step_px * mm_per_px_ < kCoarsestStepMm) ++coarsest_;
   }
@@ -188,7 +189,10 @@ class Fuser {
     std::vector<PlateSample> weighed = samples_;
     SetWeights(Reweigh(samples_, grids_[coarsest_], 2.5, 2.0 * options_.robust_sigmas, context_), &weighed);
     Rim rim(weighed, outline_, {.mm_per_px = mm_per_px_}, context_);
-    for (PlateSample& s : samples_) s.z -= rim.Height(s.u, s.v);
+    ParallelFor(context_, 0, static_cast<std::int64_t>(samples_.size()), [&](std::int64_t i) {
+      PlateSample& s = samples_[static_cast<std::size_t>(i)];
+      s.z -= rim.Height(s.u, s.v);
+    });
     PlateLattice& l = grids_[coarsest_].lattice;
     for (int r = 0; r < l.z.rows; ++r) {
       for (int c = 0; c < l.z.cols; ++c) l.z(r, c) -= rim.Height(l.U(c), l.V(r));
