@@ -63,7 +63,9 @@ class LaserConsistencyTest : public ::testing::Test {
     for (const PlateSample& s : samples_) weights.push_back(s.weight);
     PlateStack stack(plate_, grids);
     stack.SetSamples(weights, grids);
-    return EstimateLaserOffsets(samples_, lasers_, stack, grids[0], plate_, {.mm_per_px = 0.47});
+    return EstimateLaserOffsets(samples_, lasers_,
+                                SolveIndicators(samples_, lasers_, stack, grids[0], plate_), grids[0],
+                                {.mm_per_px = 0.47});
   }
   cv::Mat1b mask_;
   std::vector<PlateSample> samples_;

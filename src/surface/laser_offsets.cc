@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/laser_offsets.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -20,40 +21,56 @@ constexpr double kResidualsToErrors = 2.0;
 // without noise).
 constexpr double kRelief = 0.01;
 
+// The lasers that have samples, growing.
+std::vector<int> Present(const std::vector<std::uint8_t>& lasers) {
+  std::array<bool, 256> seen{};
+  for (const std::uint8_t laser : lasers) seen[laser] = true;
+  std::vector<int> out;
+  for (int laser = 0; laser < 256; ++laser) {
+    if (seen[static_cast<std::size_t>(laser)]) out.push_back(laser);
+  }
+  return out;
+}
+
 }  // namespace
 
-std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& samples,
-                                              const std::vector<std::uint8_t>& lasers,
-                                              const PlateStack& stack, const PlateGrid& solved,
-                                              const PlateOptions& plate, const LaserOffsetOptions& options,
-                                              const Context& context) {
-  std::vector<int> index(256, -1);
-  for (const std::uint8_t laser : lasers) index[laser] = 0;
-  std::vector<LaserOffset> out;
-  for (int laser = 0; laser < 256; ++laser) {
-    int& k = index[static_cast<std::size_t>(laser)];
-    if (k < 0) continue;
-    k = static_cast<int>(out.size());
-    out.push_back({.laser = laser});
-  }
-  const auto n = static_cast<Eigen::Index>(out.size());
-  if (n < 2) return out;
-
+std::vector<PlateLattice> SolveIndicators(const std::vector<PlateSample>& samples,
+                                          const std::vector<std::uint8_t>& lasers, const PlateStack& stack,
+                                          const PlateGrid& grid, const PlateOptions& plate,
+                                          const Context& context) {
+  const std::vector<int> present = Present(lasers);
+  if (present.size() < 2) return {};
   std::vector<float> weights;
   weights.reserve(samples.size());
   for (const PlateSample& s : samples) weights.push_back(s.weight);
   // No plate resists being lifted, so the indicators of all lasers add up to 1 and the last needs no
   // solution.
-  std::vector<PlateLattice> indicators(out.size() - 1, solved.lattice);
-  ParallelFor(context, 0, n - 1, [&](std::int64_t k) {
-    PlateLattice& x = indicators[static_cast<std::size_t>(k)];
-    x.z = cv::Mat1f(solved.lattice.z.size(), 1.0F / static_cast<float>(n));
+  std::vector<PlateLattice> indicators(present.size() - 1, grid.lattice);
+  ParallelFor(context, 0, static_cast<std::int64_t>(indicators.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    PlateLattice& x = indicators[k];
+    x.z = cv::Mat1f(grid.lattice.z.size(), 1.0F / static_cast<float>(present.size()));
     std::vector<float> marked;
     marked.reserve(samples.size());
-    for (const std::uint8_t laser : lasers) marked.push_back(index[laser] == k ? 1.0F : 0.0F);
+    for (const std::uint8_t laser : lasers) marked.push_back(laser == present[k] ? 1.0F : 0.0F);
     PlateSolver solver;
-    stack.Solve(marked, weights, solved, plate, &solver, &x);
+    stack.Solve(marked, weights, grid, plate, &solver, &x);
   });
+  return indicators;
+}
+
+std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& samples,
+                                              const std::vector<std::uint8_t>& lasers,
+                                              const std::vector<PlateLattice>& indicators,
+                                              const PlateGrid& solved, const LaserOffsetOptions& options) {
+  std::vector<LaserOffset> out;
+  std::vector<int> index(256, -1);
+  for (const int laser : Present(lasers)) {
+    index[static_cast<std::size_t>(laser)] = static_cast<int>(out.size());
+    out.push_back({.laser = laser});
+  }
+  const auto n = static_cast<Eigen::Index>(out.size());
+  if (n < 2) return out;
 
   const Eigen::MatrixXd known = Eigen::MatrixXd::Identity(n, n) / (options.prior_mm * options.prior_mm);
   Eigen::MatrixXd normal = known, scatter = known;

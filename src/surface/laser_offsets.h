@@ -29,11 +29,17 @@ struct LaserOffset {
 //   sum w e_l (e_l - X)' o = sum w e_l r.
 // The standard deviations take the scatter of w (e_l - X) r between patches (White's sandwich), since
 // neighbouring residuals are not independent. Means are relative to the mean over the lasers. `lasers`: one
-// per sample. `stack`: the plate's equations, with the samples' weights.
+// per sample.
 std::vector<LaserOffset> EstimateLaserOffsets(const std::vector<PlateSample>& samples,
                                               const std::vector<std::uint8_t>& lasers,
-                                              const PlateStack& stack, const PlateGrid& solved,
-                                              const PlateOptions& plate, const LaserOffsetOptions& options,
-                                              const Context& context = {});
+                                              const std::vector<PlateLattice>& indicators,
+                                              const PlateGrid& solved, const LaserOffsetOptions& options);
+
+// The plates X_k, in the order of the lasers, but for the last, since all of them add up to 1. They do not
+// depend on heights. `stack`: the plate's equations on `grid`, with the samples' weights.
+std::vector<PlateLattice> SolveIndicators(const std::vector<PlateSample>& samples,
+                                          const std::vector<std::uint8_t>& lasers, const PlateStack& stack,
+                                          const PlateGrid& grid, const PlateOptions& plate,
+                                          const Context& context = {});
 
 }  // namespace dorsum

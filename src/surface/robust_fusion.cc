@@ -211,14 +211,21 @@ class Fuser {
     const std::vector<float> weights = Reweigh(samples_, *level, 1.0, 2.0 * options_.robust_sigmas, context_);
     PlateStack stack(plate_, grids, context_);
     stack.SetSamples(weights, grids, context_);
-    stack.Solve(Heights(samples_), weights, *level, exact, &solver_, &level->lattice);
     PlateOptions rough = plate_;  // shares of the lasers need no more
     rough.max_iterations = exact.max_iterations;
     rough.tolerance = 1e-2;
     std::vector<PlateSample> weighed = samples_;
     SetWeights(weights, &weighed);
-    out_.offsets =
-        EstimateLaserOffsets(weighed, lasers_, stack, *level, rough, {.mm_per_px = mm_per_px_}, context_);
+    std::vector<PlateLattice> indicators;
+    const PlateGrid unsolved = *level;
+    ParallelFor(context_, 0, 2, [&](std::int64_t part) {
+      if (part == 0) {
+        stack.Solve(Heights(samples_), weights, *level, exact, &solver_, &level->lattice);
+      } else {
+        indicators = SolveIndicators(weighed, lasers_, stack, unsolved, rough, context_);
+      }
+    });
+    out_.offsets = EstimateLaserOffsets(weighed, lasers_, indicators, *level, {.mm_per_px = mm_per_px_});
     std::array<float, 256> off{};
     for (const LaserOffset& one : out_.offsets) {
       if (std::abs(one.mean_mm) > options_.max_offset_mm) return;
