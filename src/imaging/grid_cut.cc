@@ -49,7 +49,7 @@ class GridCut::Search {
   // Along the flow between a node and its neighbour, the node being the farther one from its terminal. Flow
   // runs from the first terminal to the second: in the first tree towards the child, in the second towards
   // the parent.
-  std::int16_t& RoomToward(Node& node, Node& other, int direction) {
+  static std::int16_t& RoomToward(Node& node, Node& other, int direction) {
     return node.side == kFirst ? Room(other, direction ^ 1) : Room(node, direction);
   }
   bool Grow(int node, Meeting* meeting);

@@ -19,6 +19,7 @@ struct ReadFileOfCalibration {
 
   std::vector<int> Lasers() const {
     std::vector<int> lasers;
+    lasers.reserve(calibration.device.lasers.size());
     for (const LaserGeometry& laser : calibration.device.lasers) lasers.push_back(laser.laser);
     return lasers;
   }

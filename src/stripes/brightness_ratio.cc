@@ -52,7 +52,8 @@ void SumColumns(const RatioWindow& in, RatioSums* out) {
     auto w = hn::Zero(d), wy = w, wyy = w, wl = w, wyl = w, wll = w, wr = w, wyr = w, wlr = w;
     for (int row = 0; row < in.rows; ++row) {
       const std::size_t at = static_cast<std::size_t>(row) * in.cells_step + k;
-      const auto y = hn::Set(d, static_cast<float>(row - in.rows / 2));
+      const int from_middle = row - in.rows / 2;
+      const auto y = hn::Set(d, static_cast<float>(from_middle));
       const auto share = hn::LoadU(d, in.window + static_cast<std::size_t>(row) * in.window_step + k);
       const auto a = hn::LoadU(d, in.weight + at) * share, r = hn::LoadU(d, in.ratio + at);
       const auto l = hn::LoadU(d, in.level + at) - hn::Set(d, in.middle_level), ay = a * y, al = a * l;

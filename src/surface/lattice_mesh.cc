@@ -74,8 +74,8 @@ class LatticeMesher {
   // Those at the nodes of a row, then those between them.
   std::vector<std::uint32_t> VerticesOfRow(int row) const {
     std::vector<std::uint32_t> out;
-    for (const auto* ids : {&ids_[0], &ids_[1]}) {
-      const auto begin = ids->begin() + static_cast<std::ptrdiff_t>(Index({0, row}));
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+      const auto begin = ids_[kind].begin() + static_cast<std::ptrdiff_t>(Index({0, row}));
       out.insert(out.end(), begin, begin + l_.active.cols);
     }
     return out;

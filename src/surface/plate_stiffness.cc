@@ -83,6 +83,7 @@ cv::Mat3f LocalStiffness(const PlateLattice& coarse, const PlateLattice& fine,
     return std::min(count - 1, static_cast<int>(std::lround(i * ratio)));
   };
   std::vector<int> columns;
+  columns.reserve(static_cast<std::size_t>(out.cols));
   for (int c = 0; c < out.cols; ++c) columns.push_back(nearest(c, coarse.z.cols));
   for (int r = 0; r < out.rows; ++r) {
     const auto* in = curvature.ptr<cv::Vec3f>(nearest(r, coarse.z.rows));
