@@ -5,6 +5,9 @@
 #include <bit>
 #include <cstdlib>
 #include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
 
 #include "base/parallel.h"
 
@@ -16,11 +19,21 @@ constexpr int kPartNodes = 4096;  // that are cut on their own; they fit a proce
 
 }  // namespace
 
+GridCut::GridCut(std::size_t nodes) {
+  static_assert(std::is_trivially_destructible_v<Node>);
+  if (nodes == 0) return;
+  std::size_t room = (nodes + 1) * sizeof(Node);
+  memory_.create(1, static_cast<int>(room), CV_8UC1);
+  void* begin = memory_.data;
+  nodes_ = {static_cast<Node*>(std::align(alignof(Node), nodes * sizeof(Node), begin, room)), nodes};
+  std::uninitialized_default_construct(nodes_.begin(), nodes_.end());
+}
+
 // The search among the nodes first to end - 1, from whatever trees they are in.
 class GridCut::Search {
  public:
-  Search(std::vector<Node>* nodes, int first, int end, int time)
-      : nodes_(nodes->data()),
+  Search(std::span<Node> nodes, int first, int end, int time)
+      : nodes_(nodes.data()),
         first_(first),
         count_(static_cast<unsigned>(end - first)),
         time_(time),
@@ -232,7 +245,7 @@ void GridCut::Run(const Context& context) {
   std::vector<int> times(static_cast<std::size_t>(parts), 0);
   ParallelFor(context, 0, parts, [&](std::int64_t part) {
     const int first = static_cast<int>(part) * kPartNodes, end = std::min(count, first + kPartNodes);
-    Search search(&nodes_, first, end, 0);
+    Search search(nodes_, first, end, 0);
     for (int node = first; node < end; ++node) {
       Node& n = nodes_[static_cast<std::size_t>(node)];
       if (n.pull == 0) continue;
@@ -246,7 +259,7 @@ void GridCut::Run(const Context& context) {
   });
   if (parts <= 1) return;
   // What has neighbours in another part goes on growing.
-  Search search(&nodes_, 0, count, *std::max_element(times.begin(), times.end()));
+  Search search(nodes_, 0, count, *std::max_element(times.begin(), times.end()));
   for (int node = 0; node < count; ++node) {
     const Node& n = nodes_[static_cast<std::size_t>(node)];
     if (n.parent == kNone) continue;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
+
+#include <opencv2/core.hpp>
 
 #include "base/context.h"
 
@@ -19,7 +21,9 @@ class GridCut {
  public:
   static constexpr int kDirections = 8;
 
-  explicit GridCut(std::size_t nodes) : nodes_(nodes) {}
+  explicit GridCut(std::size_t nodes);
+  GridCut(const GridCut&) = delete;
+  GridCut& operator=(const GridCut&) = delete;
 
   // What it costs to part `node` from the first side (> 0) or from the second (< 0); adds up. In all, costs
   // must stay within an int.
@@ -60,7 +64,8 @@ class GridCut {
     node.room[static_cast<std::size_t>(direction)] = static_cast<std::int16_t>(cost);
   }
 
-  std::vector<Node> nodes_;
+  cv::Mat memory_;  // of the nodes: as large as a picture, so that pictures' memory serves it
+  std::span<Node> nodes_;
 };
 
 }  // namespace dorsum

@@ -38,6 +38,8 @@ class LatticeMesher {
     }
   }
 
+  const TriangleMesh& mesh() const { return mesh_; }
+
   // Adds this part to `whole`, which holds those above it; `ids` are the vertices of `whole` on the row that
   // both share, and then those on this part's last row.
   void AddTo(TriangleMesh* whole, std::vector<std::uint32_t>* ids) const {
@@ -187,6 +189,13 @@ TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, co
     parts[static_cast<std::size_t>(k)].emplace(l, inside, rays, max_slope_deg, part * cells / kParts,
                                                (part + 1) * cells / kParts);
   });
+  std::size_t vertices = 0, faces = 0;
+  for (const auto& part : parts) {
+    vertices += part->mesh().vertices.size();
+    faces += part->mesh().faces.size();
+  }
+  mesh.vertices.reserve(vertices);
+  mesh.faces.reserve(faces);
   std::vector<std::uint32_t> shared;
   for (const auto& part : parts) part->AddTo(&mesh, &shared);
   DropLooseVertices(&mesh);
