@@ -19,12 +19,13 @@ struct Picture {
   std::filesystem::path path;
   std::optional<cv::Size> size;  // that it must have
   bool shows_something = true;   // that it must
+  Channels channels = Channels::kBgr;
   cv::Mat image;
   Status status;
 };
 
 Status Read(Picture* picture) {
-  DORSUM_ASSIGN_OR_RETURN(picture->image, ReadImage(picture->path, picture->size));
+  DORSUM_ASSIGN_OR_RETURN(picture->image, ReadImage(picture->path, picture->size, picture->channels));
   if (!picture->shows_something) return {};
   return CheckExposure(picture->image, picture->path.string());
 }
@@ -40,7 +41,7 @@ cv::Size SizeOf(const std::filesystem::path& path) {
 }  // namespace
 
 Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
-                                  const std::vector<int>& lasers, const Context& context) {
+                                  const std::vector<int>& lasers, const Context& context, Channels stripes) {
   std::error_code ec;
   if (!std::filesystem::is_directory(dir, ec)) return BadInput("there is no capture folder " + dir.string());
   CaptureImages capture;
@@ -55,7 +56,7 @@ Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size exp
     capture.stripes.resize(
         std::max<std::size_t>(capture.stripes.size(), static_cast<std::size_t>(laser) + 1));
     if (const auto path = FindImage(dir, name)) {
-      pictures.push_back({.path = *path, .size = size, .image = {}, .status = {}});
+      pictures.push_back({.path = *path, .size = size, .channels = stripes, .image = {}, .status = {}});
       seen.push_back(laser);
       continue;
     }

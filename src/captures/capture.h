@@ -10,10 +10,12 @@
 
 #include "base/context.h"
 #include "base/result.h"
+#include "captures/jpeg_image.h"
 
 namespace dorsum {
 
-// The images of one capture (§3.3), BGR, all of one size.
+// The images of one capture (§3.3), BGR, all of one size. Those of stripes may be their green channel alone
+// (CV_8UC1), which is all that a reconstruction from ridges looks at.
 struct CaptureImages {
   cv::Mat hand;  // bgHand
   std::vector<std::optional<cv::Mat>>
@@ -25,8 +27,9 @@ struct CaptureImages {
 // Loads a capture folder. All images must be of the `expected` size, or of bgHand's if that is empty.
 // `lasers` are those that the calibration knows; a missing image of one of them is a warning, and an error
 // only when all are missing. Refuses images that show nothing: all black, all white. Images are decoded on
-// `context`'s threads.
+// `context`'s threads; those of stripes to `stripes`.
 Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
-                                  const std::vector<int>& lasers, const Context& context = {});
+                                  const std::vector<int>& lasers, const Context& context = {},
+                                  Channels stripes = Channels::kBgr);
 
 }  // namespace dorsum

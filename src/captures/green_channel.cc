@@ -17,7 +17,7 @@ namespace dorsum::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void TakeGreenOfRow(const std::uint8_t* bgr, std::size_t count, std::uint8_t* green) {
+void TakeGreen(const std::uint8_t* bgr, std::size_t count, std::uint8_t* green) {
   const hn::ScalableTag<std::uint8_t> d;
   const std::size_t lanes = hn::Lanes(d);
   std::size_t i = 0;
@@ -29,12 +29,6 @@ void TakeGreenOfRow(const std::uint8_t* bgr, std::size_t count, std::uint8_t* gr
   for (; i < count; ++i) green[i] = bgr[3 * i + 1];
 }
 
-void TakeGreen(const cv::Mat& bgr, cv::Mat* green) {
-  for (int v = 0; v < bgr.rows; ++v) {
-    TakeGreenOfRow(bgr.ptr<std::uint8_t>(v), static_cast<std::size_t>(bgr.cols), green->ptr<std::uint8_t>(v));
-  }
-}
-
 }  // namespace dorsum::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -43,10 +37,18 @@ namespace dorsum {
 
 HWY_EXPORT(TakeGreen);
 
-cv::Mat GreenChannel(const cv::Mat& bgr) {
-  if (bgr.type() != CV_8UC3) throw std::logic_error("GreenChannel: a CV_8UC3 picture is needed");
-  cv::Mat green(bgr.size(), CV_8UC1);
-  HWY_DYNAMIC_DISPATCH(TakeGreen)(bgr, &green);
+void TakeGreen(const std::uint8_t* bgr, std::size_t count, std::uint8_t* green) {
+  HWY_DYNAMIC_DISPATCH(TakeGreen)(bgr, count, green);
+}
+
+cv::Mat GreenChannel(const cv::Mat& picture) {
+  if (picture.type() == CV_8UC1) return picture;
+  if (picture.type() != CV_8UC3) throw std::logic_error("GreenChannel: a CV_8UC3 picture is needed");
+  cv::Mat green(picture.size(), CV_8UC1);
+  for (int v = 0; v < picture.rows; ++v) {
+    TakeGreen(picture.ptr<std::uint8_t>(v), static_cast<std::size_t>(picture.cols),
+              green.ptr<std::uint8_t>(v));
+  }
   return green;
 }
 

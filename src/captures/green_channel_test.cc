@@ -27,8 +27,14 @@ TEST(GreenChannel, IsTheSecondOfThreeInEveryPixel) {
   }
 }
 
-TEST(GreenChannel, NeedsThreeChannels) {
-  EXPECT_THROW(GreenChannel(cv::Mat(3, 3, CV_8UC1)), std::logic_error);
+TEST(GreenChannel, IsAPictureOfOneChannelItself) {
+  const cv::Mat green(3, 3, CV_8UC1, cv::Scalar(7));
+  EXPECT_EQ(GreenChannel(green).data, green.data);
+}
+
+TEST(GreenChannel, NeedsOneChannelOrThree) {
+  EXPECT_THROW(GreenChannel(cv::Mat(3, 3, CV_8UC4)), std::logic_error);
+  EXPECT_THROW(GreenChannel(cv::Mat(3, 3, CV_16UC1)), std::logic_error);
   EXPECT_TRUE(GreenChannel(cv::Mat(0, 0, CV_8UC3)).empty());
 }
 

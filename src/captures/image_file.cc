@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "captures/image_file.h"
 
+#include <cstdint>
+
 #include "base/files.h"
 #include "captures/green_channel.h"
 #include "captures/image_header.h"
@@ -51,12 +53,12 @@ Result<std::filesystem::path> RequireImage(const std::filesystem::path& dir, con
 }
 
 Result<cv::Mat> DecodeImage(const std::string& bytes, const std::string& name,
-                            std::optional<cv::Size> expected) {
+                            std::optional<cv::Size> expected, Channels channels) {
   const Result<ImageHeader> header = ReadImageHeader(bytes);
   if (!header.ok()) return BadInput(name + " " + header.error().message + "; copy or capture it again");
   DORSUM_RETURN_IF_ERROR(CheckHeader(*header, name, expected));
   if (header->format == "JPEG") {
-    const cv::Mat image = DecodeJpeg(bytes, {header->width, header->height});
+    const cv::Mat image = DecodeJpeg(bytes, {header->width, header->height}, channels);
     if (image.empty()) return BadInput(name + " is damaged; copy or capture it again");
     return image;
   }
@@ -64,22 +66,25 @@ Result<cv::Mat> DecodeImage(const std::string& bytes, const std::string& name,
   if (image.type() != CV_8UC3 || image.cols != header->width || image.rows != header->height) {
     return BadInput(name + " cannot be decoded; copy or capture it again");
   }
-  return image;
+  return channels == Channels::kGreen ? GreenChannel(image) : image;
 }
 
-Result<cv::Mat> ReadImage(const std::filesystem::path& path, std::optional<cv::Size> expected) {
+Result<cv::Mat> ReadImage(const std::filesystem::path& path, std::optional<cv::Size> expected,
+                          Channels channels) {
   DORSUM_ASSIGN_OR_RETURN(const std::string bytes, ReadFile(path, std::size_t{512} << 20));
-  return DecodeImage(bytes, path.string(), expected);
+  return DecodeImage(bytes, path.string(), expected, channels);
 }
 
-Status CheckExposure(const cv::Mat& bgr, const std::string& name) {
+Status CheckExposure(const cv::Mat& image, const std::string& name) {
   constexpr int kBlack = 10, kWhite = 245;
+  const int channels = image.channels(), green = channels / 2;
   bool bright = false, dim = false;  // whether there is a place that is not black, and one that is not white
-  for (int v = 0; v < bgr.rows && !(bright && dim); ++v) {
-    const auto* row = bgr.ptr<cv::Vec3b>(v);
-    for (int u = 0; u < bgr.cols; ++u) {
-      bright = bright || row[u][1] >= kBlack;
-      dim = dim || row[u][1] <= kWhite;
+  for (int v = 0; v < image.rows && !(bright && dim); ++v) {
+    const auto* row = image.ptr<std::uint8_t>(v);
+    for (int u = 0; u < image.cols; ++u) {
+      const int grey = row[channels * u + green];
+      bright = bright || grey >= kBlack;
+      dim = dim || grey <= kWhite;
     }
   }
   if (!bright) return BadInput(name + " is black; check the light and the exposure");

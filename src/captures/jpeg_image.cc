@@ -5,9 +5,12 @@
 #include <cstdio>  // jpeglib.h needs it
 #include <cstdlib>
 #include <stdexcept>
+#include <vector>
 
 #include <jerror.h>
 #include <jpeglib.h>
+
+#include "captures/green_channel.h"
 
 namespace dorsum {
 namespace {
@@ -42,8 +45,9 @@ void OnMessage(j_common_ptr info, int level) {
   ErrorsOf(info).damaged = true;
 }
 
-// Nothing here may need a destructor: OnFatalError jumps over it.
-bool DecodeInto(cv::Mat* image, std::string_view bytes, JpegErrors* errors) {
+// Nothing here may need a destructor: OnFatalError jumps over it. `row` has room for a row of BGR where the
+// image is green alone.
+bool DecodeInto(cv::Mat* image, unsigned char* row, std::string_view bytes, JpegErrors* errors) {
   jpeg_decompress_struct info{};
   info.err = jpeg_std_error(&errors->manager);
   info.client_data = errors;
@@ -61,8 +65,10 @@ bool DecodeInto(cv::Mat* image, std::string_view bytes, JpegErrors* errors) {
   const bool fits = info.output_width == static_cast<JDIMENSION>(image->cols) &&
                     info.output_height == static_cast<JDIMENSION>(image->rows);
   while (fits && !errors->damaged && info.output_scanline < info.output_height) {
-    JSAMPROW row = image->ptr(static_cast<int>(info.output_scanline));
-    jpeg_read_scanlines(&info, &row, 1);
+    unsigned char* const out = image->ptr(static_cast<int>(info.output_scanline));
+    JSAMPROW to = row != nullptr ? row : out;
+    jpeg_read_scanlines(&info, &to, 1);
+    if (row != nullptr) TakeGreen(row, info.output_width, out);
   }
   const bool whole = fits && !errors->damaged;
   if (whole) jpeg_finish_decompress(&info);  // reads on to the end marker
@@ -116,10 +122,12 @@ std::string EncodeJpeg(const cv::Mat& image, int quality, bool optimise) {
   return bytes;
 }
 
-cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size) {
-  cv::Mat image(size, CV_8UC3);
+cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size, Channels channels) {
+  const bool green = channels == Channels::kGreen;
+  cv::Mat image(size, green ? CV_8UC1 : CV_8UC3);
+  std::vector<unsigned char> row(green ? 3 * static_cast<std::size_t>(size.width) : 0);
   JpegErrors errors;
-  return DecodeInto(&image, bytes, &errors) ? image : cv::Mat();
+  return DecodeInto(&image, green ? row.data() : nullptr, bytes, &errors) ? image : cv::Mat();
 }
 
 }  // namespace dorsum

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -8,12 +9,15 @@
 
 namespace dorsum {
 
-// Decodes a colour JPEG of this size to BGR (CV_8UC3), with the same values as cv::imdecode. Unlike it,
+enum class Channels : std::uint8_t { kBgr, kGreen };
+
+// Decodes a colour JPEG of this size to BGR (CV_8UC3), with the same values as cv::imdecode, or to the green
+// channel of that alone (CV_8UC1), without a picture of all three in between. Unlike cv::imdecode,
 // refuses one whose compressed data is damaged, with an empty image, and writes nothing to the standard
 // error. Damage is known by codes that do not exist and by too much or too little data; ITU-T T.81 has no
 // checksum, so a few changed bytes that leave neither go unseen. Up to kJpegPadding stray bytes before the
 // end marker pass: some webcams write them.
-cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size);
+cv::Mat DecodeJpeg(std::string_view bytes, cv::Size size, Channels channels = Channels::kBgr);
 
 inline constexpr int kJpegPadding = 16;  // bytes
 

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "captures/green_channel.h"
+
 namespace dorsum {
 namespace {
 
@@ -50,6 +52,9 @@ TEST(JpegImage, HasTheValuesOfOpenCv) {
     const cv::Mat expected = cv::imdecode(std::vector<char>(jpeg.begin(), jpeg.end()), cv::IMREAD_COLOR);
     ASSERT_EQ(image.size(), expected.size());
     EXPECT_EQ(cv::norm(image, expected, cv::NORM_INF), 0.0);
+    const cv::Mat green = DecodeJpeg(jpeg, kSize, Channels::kGreen);
+    ASSERT_EQ(green.type(), CV_8UC1);
+    EXPECT_EQ(cv::norm(green, GreenChannel(expected), cv::NORM_INF), 0.0);
   }
 }
 

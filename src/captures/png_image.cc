@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <png.h>
+#include <zlib.h>
 
 #include "captures/image_file.h"
 
@@ -61,6 +62,10 @@ bool WriteRows(png_structp png, png_infop info, const cv::Mat& image, int compre
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   const bool deep = image.depth() == CV_16U;
   png_set_compression_level(png, compression);
+  if (compression == 1) {
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_strategy(png, Z_RLE);
+  }
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.cols), static_cast<png_uint_32>(image.rows),
                deep ? 16 : 8, image.channels() == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -13,8 +13,8 @@ namespace dorsum {
 // deeper than 8 bits or more than 100 megapixels large. Writes nothing to the standard error.
 cv::Mat DecodePng(std::string_view bytes);
 
-// PNG of a picture with 1 or 3 channels (grey or BGR) of 8 or 16 bits. `compression`: 0 (none) to 9 (best).
-// The same picture gives the same bytes.
+// PNG of a picture with 1 or 3 channels (grey or BGR) of 8 or 16 bits. `compression`: 0 (none) to 9 (best);
+// 1 is quick and meant for masks, which are even over large parts. The same picture gives the same bytes.
 std::string EncodePng(const cv::Mat& image, int compression = 3);
 
 }  // namespace dorsum

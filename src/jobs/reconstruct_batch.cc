@@ -208,7 +208,8 @@ Result<BatchSummary> ReconstructBatch(const ReconstructRequest& request, const C
   const Status finished = ReadAhead<Result<CaptureImages>>(
       todo.size(), context,
       [&](std::size_t i) {
-        return LoadCapture(todo[i].capture_dir, {}, calibrations.at(todo[i].calibration_path).lasers, alone);
+        return LoadCapture(todo[i].capture_dir, {}, calibrations.at(todo[i].calibration_path).lasers, alone,
+                           StripeChannels(request));
       },
       [&](std::size_t i, const Result<CaptureImages>& images) {
         BatchCapture done = Work(images, todo[i], calibrations.at(todo[i].calibration_path), alone);

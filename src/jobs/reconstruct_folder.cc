@@ -47,6 +47,11 @@ Result<LoadedCalibration> LoadCalibration(const std::filesystem::path& path) {
   return Prepare(std::move(read), path);
 }
 
+Channels StripeChannels(const ReconstructRequest& request) {
+  const bool shown = request.report || request.stages;
+  return !shown && ResolveStages(request.options).stripes == "ridge" ? Channels::kGreen : Channels::kBgr;
+}
+
 Result<ReconstructSummary> ReconstructLoaded(const CaptureImages& capture, const ReconstructRequest& request,
                                              const LoadedCalibration& calibration, const Context& context) {
   DORSUM_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::Create(request.out_dir));
@@ -84,7 +89,7 @@ Result<ReconstructSummary> ReconstructFolder(const ReconstructRequest& request, 
     if (part == 0) {
       calibration = Prepare(std::move(read), request.calibration_path);
     } else {
-      capture = LoadCapture(request.capture_dir, {}, lasers, context);
+      capture = LoadCapture(request.capture_dir, {}, lasers, context, StripeChannels(request));
     }
   });
   if (!calibration->ok()) return calibration->error();

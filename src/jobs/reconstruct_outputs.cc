@@ -87,18 +87,17 @@ Json RecipeOf(const ReconstructRequest& request, const LoadedCalibration& calibr
 Status WriteReconstruction(const std::filesystem::path& dir, const ReconstructRequest& request,
                            const Reconstruction& result, const CaptureImages& capture,
                            const LoadedCalibration& calibration, const Context& context) {
-  std::vector<std::function<Status()>> files = {
-      [&] { return WritePointsPly(dir / "points.ply", result.points); },
-      [&] { return WriteFile(dir / "mask.png", EncodePng(result.mask.mask, 1)); },
-      [&] { return WriteHeightField(dir, result.height_field); },
-      [&] {
-        return WriteJson(dir / kReportJson, ReportJson(request, result, RecipeOf(request, calibration)));
-      },
-  };
+  std::vector<std::function<Status()>> files;  // what takes longest first
   for (const std::string& format : request.mesh_formats) {
     if (result.mesh.faces.empty() && format != "ply") continue;  // the warning about the empty mesh says why
     files.emplace_back([&] { return ExportMesh(dir, "surface", format, result.mesh); });
   }
+  files.emplace_back([&] { return WriteHeightField(dir, result.height_field); });
+  files.emplace_back([&] { return WriteFile(dir / "mask.png", EncodePng(result.mask.mask, 1)); });
+  files.emplace_back([&] { return WritePointsPly(dir / "points.ply", result.points); });
+  files.emplace_back([&] {
+    return WriteJson(dir / kReportJson, ReportJson(request, result, RecipeOf(request, calibration)));
+  });
   std::vector<Status> status(files.size());
   ParallelFor(context, 0, static_cast<std::int64_t>(files.size()), [&](std::int64_t i) {
     status[static_cast<std::size_t>(i)] = files[static_cast<std::size_t>(i)]();

@@ -3,7 +3,11 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <string>
+#include <utility>
 
 #include "base/files.h"
 #include "surface/ply_reader.h"
@@ -13,21 +17,34 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "PLY files are written little-endian");
 
-template <class T>
-void Append(std::string* out, T value) {
-  char bytes[sizeof(T)];
-  std::memcpy(bytes, &value, sizeof(T));
-  out->append(bytes, sizeof(T));
-}
+// A header and room for the `bytes` of its elements, filled from front to back.
+class PlyText {
+ public:
+  PlyText(std::string header, std::size_t bytes) : text_(std::move(header)), at_(text_.size()) {
+    text_.resize(at_ + bytes);
+  }
 
-void AppendVector(std::string* out, const Eigen::Vector3d& v) {
-  for (int i = 0; i < 3; ++i) Append(out, static_cast<float>(v[i]));
-}
+  template <class T>
+  void Put(T value) {
+    std::memcpy(text_.data() + at_, &value, sizeof(T));
+    at_ += sizeof(T);
+  }
+  void PutVector(const Eigen::Vector3d& v) {
+    for (int i = 0; i < 3; ++i) Put(static_cast<float>(v[i]));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t at_;
+};
+
+constexpr std::size_t kVectorBytes = 3 * sizeof(float);
 
 }  // namespace
 
 Status WritePointsPly(const std::filesystem::path& path, const SurfacePoints& points) {
-  std::string out =
+  const std::string header =
       "ply\nformat binary_little_endian 1.0\ncomment Dorsum: world frame, mm; u v in pixels of the captured "
       "image\n"
       "element vertex " +
@@ -36,34 +53,38 @@ Status WritePointsPly(const std::filesystem::path& path, const SurfacePoints& po
       "ny\nproperty float nz\n"
       "property uchar laser\nproperty short order\nproperty float u\nproperty float v\nproperty float "
       "sigma\nend_header\n";
+  PlyText out(header,
+              points.size() * (3 * kVectorBytes + sizeof(SurfacePoint::laser) + sizeof(SurfacePoint::order)));
   for (const SurfacePoint& p : points) {
-    AppendVector(&out, p.position);
-    AppendVector(&out, p.normal.cast<double>());
-    Append(&out, p.laser);
-    Append(&out, p.order);
-    Append(&out, p.u);
-    Append(&out, p.v);
-    Append(&out, p.sigma);
+    out.PutVector(p.position);
+    out.PutVector(p.normal.cast<double>());
+    out.Put(p.laser);
+    out.Put(p.order);
+    out.Put(p.u);
+    out.Put(p.v);
+    out.Put(p.sigma);
   }
-  return WriteFile(path, out);
+  return WriteFile(path, out.text());
 }
 
 Status WriteMeshPly(const std::filesystem::path& path, const TriangleMesh& mesh) {
   const bool normals = mesh.normals.size() == mesh.vertices.size() && !mesh.normals.empty();
-  std::string out =
+  const std::string header =
       "ply\nformat binary_little_endian 1.0\ncomment Dorsum: world frame, mm\nelement vertex " +
       std::to_string(mesh.vertices.size()) + "\nproperty float x\nproperty float y\nproperty float z\n" +
       (normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") + "element face " +
       std::to_string(mesh.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  PlyText out(header, mesh.vertices.size() * (normals ? 2 : 1) * kVectorBytes +
+                          mesh.faces.size() * (sizeof(std::uint8_t) + 3 * sizeof(std::int32_t)));
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    AppendVector(&out, mesh.vertices[i]);
-    if (normals) AppendVector(&out, mesh.normals[i]);
+    out.PutVector(mesh.vertices[i]);
+    if (normals) out.PutVector(mesh.normals[i]);
   }
   for (const auto& f : mesh.faces) {
-    Append(&out, std::uint8_t{3});
-    for (const std::uint32_t i : f) Append(&out, static_cast<std::int32_t>(i));
+    out.Put(std::uint8_t{3});
+    for (const std::uint32_t i : f) out.Put(static_cast<std::int32_t>(i));
   }
-  return WriteFile(path, out);
+  return WriteFile(path, out.text());
 }
 
 Result<SurfacePoints> ReadPointsPly(const std::filesystem::path& path) {
