@@ -7,7 +7,8 @@
 
 namespace dorsum {
 
-// Square root of the light of the hand's picture over that of the background's, green channels, CV_32FC1,
+// Square root of the light of the hand's picture over that of the background's, green channels (of pictures
+// in colour, or alone), CV_32FC1,
 // lightly smoothed; the root, so that steps in deep shadow and in full light compare, as their noise does.
 // 1 where nothing changed; a shadow multiplies it smoothly, an object's outline is a sharp step. `scale` 2
 // halves the size (rounded up): pixel (i, j) is then the mean of four, around (2 i + 0.5, 2 j + 0.5).

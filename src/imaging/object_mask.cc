@@ -139,12 +139,12 @@ cv::Rect FinePart(const cv::Mat& object, cv::Size picture) {
 }
 
 // The outlines on single pixels, within a part of the picture.
-Outlines FineOutlines(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& object,
-                      const CellPicture& texture, const std::vector<ObjectSeed>& seeds, const cv::Rect& part,
+Outlines FineOutlines(const cv::Mat& light, const cv::Mat& object, const CellPicture& texture,
+                      const std::vector<ObjectSeed>& seeds, const cv::Rect& part,
                       const ObjectMaskOptions& options, const Context& context) {
   const cv::Rect half(part.x / 2, part.y / 2, (part.width + 1) / 2, (part.height + 1) / 2);
   BandCut fine;
-  fine.light = LedRatio(background(part), hand(part), 1, context);
+  fine.light = light(part);
   fine.texture = texture.Part(half.tl(), 2, kFineTexture);
   ParallelFor(context, 0, 2, [&](std::int64_t task) {
     if (task == 0) {
@@ -177,7 +177,12 @@ double ContradictingShare(const std::vector<ObjectSeed>& seeds, const cv::Mat& m
 ObjectLight FindObjectLight(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& empty,
                             const Context& context) {
   const cv::Rect busy = BusyPart(empty, hand.size());
-  return {empty, busy, LedRatio(background(busy), hand(busy), 2, context)};
+  ObjectLight light{.empty = empty, .busy = busy, .single = {}, .doubled = {}};
+  ParallelFor(context, 0, 2, [&](std::int64_t task) {
+    (task == 0 ? light.single : light.doubled) =
+        LedRatio(background(busy), hand(busy), task == 0 ? 1 : 2, context);
+  });
+  return light;
 }
 
 Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand, const ObjectLight& light,
@@ -189,7 +194,7 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   if (on_object < options.min_seeds) return ExtractHandMask(background, hand, options.picture_only, context);
 
   const cv::Rect busy = light.busy;
-  const cv::Mat before = background(busy), after = hand(busy), empty = light.empty;
+  const cv::Mat empty = light.empty;
   const std::vector<ObjectSeed> own = SeedsWithin(seeds, busy);
   BandCut coarse;
   coarse.light = light.doubled;
@@ -211,9 +216,9 @@ Result<HandMask> RefineObjectMask(const cv::Mat& background, const cv::Mat& hand
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
 
   HandMask result;
-  const cv::Rect part = FinePart(object, after.size());
+  const cv::Rect part = FinePart(object, busy.size());
   if (!part.empty()) {
-    result.outlines = FineOutlines(before, after, object, coarse.texture, own, part, options, context);
+    result.outlines = FineOutlines(light.single, object, coarse.texture, own, part, options, context);
     MoveBy(busy.tl(), &result.outlines);
   }
   result.mask = FillOutlines(result.outlines, hand.size(), context);

@@ -30,10 +30,11 @@ struct ObjectMaskOptions {
 
 // What the pictures under the LEDs show before any seed is known.
 struct ObjectLight {
-  cv::Mat empty;    // CV_8UC1, not 0 where there is surely nothing but backplane; or no picture
-  cv::Rect busy;    // around all that is not
-  cv::Mat doubled;  // CV_32FC1: the light there (imaging/led_ratio.h) on pixels of double size
+  cv::Mat empty;            // CV_8UC1, not 0 where there is surely nothing but backplane; or no picture
+  cv::Rect busy;            // around all that is not
+  cv::Mat single, doubled;  // CV_32FC1: the light there (imaging/led_ratio.h), and on pixels of double size
 };
+// `background` and `hand` in colour or green alone.
 ObjectLight FindObjectLight(const cv::Mat& background, const cv::Mat& hand, const cv::Mat& empty,
                             const Context& context = {});
 

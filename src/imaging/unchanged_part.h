@@ -6,7 +6,7 @@
 namespace dorsum {
 
 // The picture under the LEDs beside that of the empty backplane, in squares of a few pixels, whose mean has
-// little noise. Both CV_8UC3 of one size.
+// little noise. Both in colour (CV_8UC3) or their green alone (CV_8UC1), of one size.
 class UnchangedPart {
  public:
   UnchangedPart(const cv::Mat& background, const cv::Mat& hand);

@@ -169,8 +169,8 @@ Result<CaptureFinding> CheckAgainstCalibration(const CaptureImages& capture, con
   if (CaptureFinding own = CheckOwnLasers(capture, ready, context); !own.ok()) return own;
   Context quiet = context;
   quiet.progress = nullptr;
-  DORSUM_ASSIGN_OR_RETURN(const FoundObject found, FindObject(capture, ready.background, *ready.orders,
-                                                              ResolveStages(ReconstructOptions{}), quiet));
+  DORSUM_ASSIGN_OR_RETURN(const FoundObject found,
+                          FindObject(capture, ready, ResolveStages(ReconstructOptions{}), quiet));
   if (PlacesAtBorder(found.mask.mask) <= 1) return CaptureFinding{};
   return CaptureFinding{CaptureFault::kCut,
                         "the hand leaves the picture at more than one place; move it to the middle, so that "

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "captures/green_channel.h"
 #include "imaging/object_mask.h"
 #include "imaging/shadow.h"
 #include "imaging/stage_sink.h"
@@ -19,17 +20,17 @@ namespace dorsum {
 namespace {
 
 // Orders for the object's stripes, and what lies on the backplane beside it.
-FoundObject Index(PictureStripes seen, const DeviceOrders& orders, const ReconstructOptions& options,
-                  const Context& context) {
+void Index(PictureStripes seen, const DeviceOrders& orders, const ReconstructOptions& options,
+           const Context& context, FoundObject* found) {
   const SheetModel model = options.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane;
-  FoundObject out;
+  FoundObject& out = *found;
   if (options.indexing == "joint") {
     ObjectSplit split =
         SplitByHeight(IndexJointly(std::move(seen.stripes), orders, options.joint_indexing, context),
                       seen.backplane, orders, options.object_split, context);
     out.stripes = std::move(split.object);
     out.backplane = std::move(split.backplane);
-    return out;
+    return;
   }
   const DeviceGeometry& device = orders.device();
   std::vector<LaserStripes> object;
@@ -39,7 +40,6 @@ FoundObject Index(PictureStripes seen, const DeviceOrders& orders, const Reconst
     object.push_back(std::move(split.object));
   }
   out.stripes = IndexClassic(std::move(object), device, model, options.classic_indexing);
-  return out;
 }
 
 // A lamp that failed or a lens that was covered leaves no part of the picture as it was.
@@ -81,15 +81,18 @@ Result<HandMask> MaskFromSeeds(const CaptureImages& capture, const cv::Mat& back
 
 }  // namespace
 
-Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& background,
-                               const DeviceOrders& orders, const ReconstructOptions& options,
-                               const Context& context) {
+Result<FoundObject> FindObject(const CaptureImages& capture, const ReadyCalibration& ready,
+                               const ReconstructOptions& options, const Context& context) {
+  const cv::Mat &background = ready.background, &green = ready.green_background;
+  const DeviceOrders& orders = *ready.orders;
   const bool robust = options.mask == "robust", ridges = options.stripes == "ridge";
   context.Report("mask", 0.0);
+  FoundObject out;
+  out.green_hand = GreenChannel(capture.hand);
   HandMask picture;
   std::optional<UnchangedPart> unchanged;
   if (robust) {
-    unchanged.emplace(background, capture.hand);
+    unchanged.emplace(green, out.green_hand);
     DORSUM_RETURN_IF_ERROR(CheckLight(*unchanged));
     picture.mask = cv::Mat(capture.hand.size(), CV_8UC1, cv::Scalar(255));
   } else {
@@ -105,20 +108,19 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
   const cv::Mat empty = seen.empty;
   const std::map<int, LaserPicture> pictures = std::move(seen.pictures);
   // The light needs no orders, and most of the indexing has one thing to do after the other.
-  FoundObject out;
   ObjectLight light;
   ParallelFor(context, 0, robust ? 2 : 1, [&](std::int64_t task) {
     if (task == 0) {
-      out = Index(std::move(seen), orders, options, context);
+      Index(std::move(seen), orders, options, context, &out);
     } else {
-      light = FindObjectLight(background, capture.hand, empty, context);
+      light = FindObjectLight(green, out.green_hand, empty, context);
     }
   });
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (robust) {
     DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, light, options, context));
     KeepInside(out.mask.mask, &out.stripes);
-    if (ridges) MeasureStripes(capture, out.mask.mask, pictures, options, context, &out.stripes);
+    if (ridges) MeasureStripes(out.green_hand, out.mask.mask, pictures, options, context, &out.stripes);
     return out;
   }
   out.mask = picture;
@@ -131,7 +133,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const cv::Mat& back
         "only shadow is seen in bgHand: the object is as bright as the backplane, or it is gone; cover a "
         "white object with something darker and capture again");
   }
-  if (ridges) MeasureStripes(capture, out.mask.mask, pictures, options, context, &out.stripes);
+  if (ridges) MeasureStripes(out.green_hand, out.mask.mask, pictures, options, context, &out.stripes);
   return out;
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "captures/green_channel.h"
 #include "stripes/append_segment.h"
 #include "stripes/pooling.h"
 #include "stripes/shading.h"
@@ -26,7 +25,7 @@ void KeepInside(const cv::Mat& mask, IndexedStripes* stripes) {
   }
 }
 
-void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask,
+void MeasureStripes(const cv::Mat& green_hand, const cv::Mat& mask,
                     const std::map<int, LaserPicture>& pictures, const ReconstructOptions& options,
                     const Context& context, IndexedStripes* stripes) {
   PoolingOptions pooling = options.pooling;
@@ -34,8 +33,8 @@ void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask,
     std::vector<LaserPicture> own;
     own.reserve(stripes->lasers.size());
     for (const LaserStripes& one : stripes->lasers) own.push_back(pictures.at(one.laser));
-    const SurfaceBrightness brightness(GreenChannel(capture.hand), mask, *stripes,
-                                       options.surface_shading.brightness, context);
+    const SurfaceBrightness brightness(green_hand, mask, *stripes, options.surface_shading.brightness,
+                                       context);
     FitOnShadedSurface(brightness, own, options.ridge.fit, options.surface_shading, context, stripes);
     pooling.pull.across_share *= options.surface_shading.left_over;
   }

@@ -6,7 +6,6 @@
 #include <opencv2/core.hpp>
 
 #include "base/context.h"
-#include "captures/capture.h"
 #include "jobs/reconstruct_options.h"
 #include "stripes/shading.h"
 #include "stripes/stripes.h"
@@ -18,9 +17,9 @@ namespace dorsum {
 void KeepInside(const cv::Mat& mask, IndexedStripes* stripes);
 
 // From single rows to what is known of the sheets' centres, once the object and the orders are: the surface's
-// shading is taken off (stripes/shading.h) and rows are pooled (stripes/pooling.h). `pictures`: by laser.
-// `options` are resolved; the stripes must be ridges.
-void MeasureStripes(const CaptureImages& capture, const cv::Mat& mask,
+// shading is taken off (stripes/shading.h) and rows are pooled (stripes/pooling.h). `green_hand`: of the
+// hand's picture, CV_8UC1; `pictures`: by laser. `options` are resolved; the stripes must be ridges.
+void MeasureStripes(const cv::Mat& green_hand, const cv::Mat& mask,
                     const std::map<int, LaserPicture>& pictures, const ReconstructOptions& options,
                     const Context& context, IndexedStripes* stripes);
 

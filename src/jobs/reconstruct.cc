@@ -45,8 +45,8 @@ Status CheckSheets(const ReconstructOptions& options, const DeviceGeometry& devi
 }
 
 // The stripes' brightness must be that of their orders.
-Status CheckOrders(const IndexedStripes& stripes, const cv::Mat& hand, const DeviceGeometry& device) {
-  const OrderShift found = FindOrderShift(stripes, GreenChannel(hand), device, {});
+Status CheckOrders(const IndexedStripes& stripes, const cv::Mat& green_hand, const DeviceGeometry& device) {
+  const OrderShift found = FindOrderShift(stripes, green_hand, device, {});
   if (found.shift == 0) return {};
   char text[192];
   std::snprintf(
@@ -89,6 +89,7 @@ Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::
   const cv::Size size(calibration.device.camera.width, calibration.device.camera.height);
   DORSUM_ASSIGN_OR_RETURN(ready.background,
                           DecodeImage(calibration.background, where + ": the background image", size));
+  ready.green_background = GreenChannel(ready.background);
   ready.orders = std::make_shared<const DeviceOrders>(calibration.device);
   ready.calibration = std::move(calibration);
   return ready;
@@ -103,11 +104,11 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   DORSUM_RETURN_IF_ERROR(CheckSheets(resolved, device));
   Reconstruction out;
   out.warnings = capture.warnings;
-  DORSUM_ASSIGN_OR_RETURN(FoundObject found,
-                          FindObject(capture, ready.background, *ready.orders, resolved, context));
+  DORSUM_ASSIGN_OR_RETURN(FoundObject found, FindObject(capture, ready, resolved, context));
   out.mask = std::move(found.mask);
   out.stripes = std::move(found.stripes);
-  if (resolved.indexing == "joint") DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, capture.hand, device));
+  if (resolved.indexing == "joint")
+    DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, found.green_hand, device));
   out.warnings.insert(out.warnings.end(), found.warnings.begin(), found.warnings.end());
   for (const LaserStripes& one : out.stripes.lasers) {
     if (one.points.empty()) {

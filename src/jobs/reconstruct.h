@@ -37,7 +37,7 @@ struct Reconstruction {
 // A calibration with its background image decoded and its orders laid out, ready for many captures.
 struct ReadyCalibration {
   Calibration calibration;
-  cv::Mat background;  // BGR
+  cv::Mat background, green_background;  // BGR, and its green channel
   std::shared_ptr<const DeviceOrders> orders;
 };
 Result<ReadyCalibration> PrepareCalibration(Calibration calibration, const std::string& where);

@@ -85,7 +85,7 @@ class Fuser {
  private:
   void MakeSamples() {
     samples_.reserve(points_.size());
-    const std::vector<bool> misplaced = FindMisplaced(points_, outline_, {.mm_per_px = mm_per_px_});
+    const std::vector<bool> misplaced = FindMisplaced(points_, outline_, {.mm_per_px = mm_per_px_}, context_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const SurfacePoint& p = points_[i];
       const bool pooled = p.row_sigma > 0.0F;  // the plate does that better, over the lasers too

@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -65,34 +68,62 @@ bool ObjectBetween(const SurfacePoint& a, const SurfacePoint& b, const Outline& 
   return true;
 }
 
-Neighbours CompareNeighbours(const SurfacePoints& points, const std::vector<int>& runs,
-                             const Outline& outline, const StripeAgreementOptions& options) {
-  // First by row, then along each.
-  struct Place {
-    float u;
-    std::uint32_t point;
-  };
-  std::vector<std::vector<Place>> rows_of;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto row = static_cast<std::size_t>(std::max(0L, std::lround(points[i].v)));
-    if (row >= rows_of.size()) rows_of.resize(row + 1);
-    rows_of[row].push_back({points[i].u, static_cast<std::uint32_t>(i)});
+// A point of a row.
+struct RowPlace {
+  float u;
+  std::uint32_t point;
+};
+
+// Adds what the points of one row, in any order, say of each other.
+void CompareRow(std::span<RowPlace> row, const SurfacePoints& points, const std::vector<int>& runs,
+                const Outline& outline, const StripeAgreementOptions& options, Neighbours* out) {
+  std::sort(row.begin(), row.end(), [](const RowPlace& a, const RowPlace& b) {
+    return std::tie(a.u, a.point) < std::tie(b.u, b.point);
+  });
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    const std::uint32_t a = row[i].point, b = row[i + 1].point;
+    const double apart = (points[b].u - points[a].u) * options.mm_per_px;
+    if (runs[a] == runs[b] || apart > options.max_distance_mm ||
+        !ObjectBetween(points[a], points[b], outline))
+      continue;
+    const double step = std::abs(points[b].position.z() - points[a].position.z());
+    Rows& rows = (*out)[std::minmax(runs[a], runs[b])];
+    ++(step <= std::min(options.slack_mm + options.max_slope * apart, options.max_step_mm) ? rows.agree
+                                                                                           : rows.contradict);
   }
+}
+
+Neighbours CompareNeighbours(const SurfacePoints& points, const std::vector<int>& runs,
+                             const Outline& outline, const StripeAgreementOptions& options,
+                             const Context& context) {
+  const auto row_of = [](const SurfacePoint& p) {
+    return static_cast<std::size_t>(std::max(0L, std::lround(p.v)));
+  };
+  std::size_t rows = 0;
+  for (const SurfacePoint& p : points) rows = std::max(rows, row_of(p) + 1);
+  // By row: those of row r end where those of the next begin.
+  std::vector<std::size_t> ends(rows + 1, 0);
+  for (const SurfacePoint& p : points) ++ends[row_of(p) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<RowPlace> places(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places[ends[row_of(points[i])]++] = {points[i].u, static_cast<std::uint32_t>(i)};
+
+  constexpr std::size_t kRowsTogether = 64;
+  std::vector<Neighbours> parts((rows + kRowsTogether - 1) / kRowsTogether);
+  ParallelFor(context, 0, static_cast<std::int64_t>(parts.size()), [&](std::int64_t n) {
+    const auto part = static_cast<std::size_t>(n);
+    for (std::size_t r = part * kRowsTogether; r < std::min(rows, (part + 1) * kRowsTogether); ++r) {
+      const std::size_t begin = r == 0 ? 0 : ends[r - 1];
+      CompareRow(std::span(places).subspan(begin, ends[r] - begin), points, runs, outline, options,
+                 &parts[part]);
+    }
+  });
   Neighbours out;
-  for (std::vector<Place>& row : rows_of) {
-    std::sort(row.begin(), row.end(),
-              [](const Place& a, const Place& b) { return std::tie(a.u, a.point) < std::tie(b.u, b.point); });
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-      const std::uint32_t a = row[i].point, b = row[i + 1].point;
-      const double apart = (points[b].u - points[a].u) * options.mm_per_px;
-      if (runs[a] == runs[b] || apart > options.max_distance_mm ||
-          !ObjectBetween(points[a], points[b], outline))
-        continue;
-      const double step = std::abs(points[b].position.z() - points[a].position.z());
-      Rows& rows = out[std::minmax(runs[a], runs[b])];
-      ++(step <= std::min(options.slack_mm + options.max_slope * apart, options.max_step_mm)
-             ? rows.agree
-             : rows.contradict);
+  for (const Neighbours& part : parts) {
+    for (const auto& [pair, counts] : part) {
+      out[pair].agree += counts.agree;
+      out[pair].contradict += counts.contradict;
     }
   }
   return out;
@@ -110,10 +141,10 @@ int Root(std::vector<int>* parents, int i) {
 }  // namespace
 
 std::vector<bool> FindMisplaced(const SurfacePoints& points, const Outline& outline,
-                                const StripeAgreementOptions& options) {
+                                const StripeAgreementOptions& options, const Context& context) {
   int count = 0;
   const std::vector<int> runs = CutIntoRuns(points, &count);
-  const Neighbours neighbours = CompareNeighbours(points, runs, outline, options);
+  const Neighbours neighbours = CompareNeighbours(points, runs, outline, options, context);
   std::vector<int> groups(static_cast<std::size_t>(count));
   std::iota(groups.begin(), groups.end(), 0);
   for (const auto& [pair, rows] : neighbours) {

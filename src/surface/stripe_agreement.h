@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/context.h"
 #include "surface/outline.h"
 #include "surface/surface_point.h"
 
@@ -23,6 +24,6 @@ struct StripeAgreementOptions {
 // stripes between right ones are found, and the two levels of a stepped body are not. Returns for each point
 // whether it is out of place.
 std::vector<bool> FindMisplaced(const SurfacePoints& points, const Outline& outline,
-                                const StripeAgreementOptions& options);
+                                const StripeAgreementOptions& options, const Context& context = {});
 
 }  // namespace dorsum
