@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "imaging/unchanged_part.h"
 
+#include <cstdint>
+
 #include <opencv2/imgproc.hpp>
 
+#include "base/parallel.h"
 #include "captures/green_channel.h"
 
 namespace dorsum {
@@ -23,16 +26,30 @@ cv::Mat Shrink(const cv::Mat& bgr) {
 
 }  // namespace
 
-UnchangedPart::UnchangedPart(const cv::Mat& background, const cv::Mat& hand)
-    : size_(hand.size()), before_(Shrink(background)) {
-  cv::absdiff(before_, Shrink(hand), difference_);
+UnchangedPart::UnchangedPart(const cv::Mat& background, const cv::Mat& hand, const Context& context)
+    : size_(hand.size()) {
+  cv::Mat after;
+  ParallelFor(context, 0, 2, [&](std::int64_t picture) {
+    (picture == 0 ? before_ : after) = Shrink(picture == 0 ? background : hand);
+  });
+  cv::absdiff(before_, after, difference_);
+}
+
+cv::Mat UnchangedPart::Unchanged(double share) const {
+  cv::Mat allowed;
+  before_.convertTo(allowed, CV_8U, share, 1.0);
+  return difference_ <= allowed;
+}
+
+double UnchangedPart::Share(double share) const {
+  if (before_.empty()) return 0.0;
+  return static_cast<double>(kSquare * kSquare * cv::countNonZero(Unchanged(share))) / size_.area();
 }
 
 cv::Mat UnchangedPart::Mask(double share) const {
-  cv::Mat mask(size_, CV_8UC1, cv::Scalar(0)), allowed;
+  cv::Mat mask(size_, CV_8UC1, cv::Scalar(0));
   if (before_.empty()) return mask;
-  before_.convertTo(allowed, CV_8U, share, 1.0);
-  const cv::Mat small = difference_ <= allowed;
+  const cv::Mat small = Unchanged(share);
   const cv::Rect whole(0, 0, small.cols * kSquare, small.rows * kSquare);
   cv::resize(small, mask(whole), whole.size(), 0, 0, cv::INTER_NEAREST);
   return mask;

@@ -20,11 +20,15 @@ TEST(UnchangedPart, IsWhereTheLightIsWhatItWas) {
   EXPECT_EQ(strict.at<std::uint8_t>(10, 50), 255);
   EXPECT_EQ(loose.at<std::uint8_t>(5, 10), 255);
   EXPECT_EQ(loose.at<std::uint8_t>(41, 5), 0);  // fills no square
+  for (const double share : {0.06, 0.4}) {
+    EXPECT_EQ(part.Share(share), cv::countNonZero(part.Mask(share)) / static_cast<double>(before.total()));
+  }
 }
 
 TEST(UnchangedPart, OfATinyPictureIsNothing) {
   const cv::Mat tiny(2, 3, CV_8UC3, cv::Scalar(9, 9, 9));
   EXPECT_EQ(cv::countNonZero(UnchangedPart(tiny, tiny).Mask(0.4)), 0);
+  EXPECT_EQ(UnchangedPart(tiny, tiny).Share(0.4), 0.0);
 }
 
 }  // namespace

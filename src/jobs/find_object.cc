@@ -45,8 +45,7 @@ void Index(PictureStripes seen, const DeviceOrders& orders, const ReconstructOpt
 // A lamp that failed or a lens that was covered leaves no part of the picture as it was.
 Status CheckLight(const UnchangedPart& unchanged) {
   constexpr double kLeastShare = 0.02;
-  const cv::Mat similar = unchanged.Mask(0.4);
-  if (cv::countNonZero(similar) >= kLeastShare * static_cast<double>(similar.total())) return {};
+  if (unchanged.Share(0.4) >= kLeastShare) return {};
   return BadInput(
       "bgHand differs from the background nearly everywhere; the light or the camera changed since the "
       "calibration, so calibrate again");
@@ -92,7 +91,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const ReadyCalibrat
   HandMask picture;
   std::optional<UnchangedPart> unchanged;
   if (robust) {
-    unchanged.emplace(green, out.green_hand);
+    unchanged.emplace(green, out.green_hand, context);
     DORSUM_RETURN_IF_ERROR(CheckLight(*unchanged));
     picture.mask = cv::Mat(capture.hand.size(), CV_8UC1, cv::Scalar(255));
   } else {

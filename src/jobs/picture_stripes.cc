@@ -90,8 +90,14 @@ class PictureSearch {
         surveyed[i].laser = lasers_[i];
         surveyed[i].points = std::move(surveys[i].points);
       }
-      DORSUM_RETURN_IF_ERROR(CheckDevice(surveyed, same, orders_));
-      if (options_.indexing == "joint") busy = LeaveOutEmpty(std::move(surveyed), same);
+      const bool joint = options_.indexing == "joint";
+      Status in_place;
+      ParallelFor(context_, 0, joint ? 2 : 1, [&](std::int64_t task) {
+        if (task == 0) in_place = CheckDevice(surveyed, same, orders_);
+        if (task == 1) busy = FindBusyPart(surveyed, orders_, same, {}, context_);
+      });
+      DORSUM_RETURN_IF_ERROR(in_place);
+      if (joint) LeaveOutEmpty(std::move(surveyed), busy);
     }
     ForLasers([&](std::size_t i, int laser) {
       out_.stripes[i] = FindRidges(PictureOf(laser).green, busy, laser, surveys[i], ridge, context_);
@@ -113,9 +119,8 @@ class PictureSearch {
     });
   }
 
-  // The part of the picture that is not the empty backplane.
-  cv::Mat LeaveOutEmpty(std::vector<LaserStripes> surveyed, const cv::Mat& same) {
-    cv::Mat busy = FindBusyPart(surveyed, orders_, same, {});
+  // Of what was surveyed, only the empty backplane is of use later.
+  void LeaveOutEmpty(std::vector<LaserStripes> surveyed, const cv::Mat& busy) {
     Sink(context_, "stripes/busy", busy);
     out_.empty = busy == 0;
     const cv::Rect picture({}, busy.size());
@@ -126,7 +131,6 @@ class PictureSearch {
       });
     }
     out_.backplane = std::move(surveyed);
-    return busy;
   }
 
   const CaptureImages& capture_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jobs/reconstruct.h"
 
+#include <cstdint>
 #include <cstdio>
 
+#include "base/parallel.h"
 #include "captures/green_channel.h"
 #include "captures/image_file.h"
 #include "imaging/motion.h"
@@ -45,8 +47,9 @@ Status CheckSheets(const ReconstructOptions& options, const DeviceGeometry& devi
 }
 
 // The stripes' brightness must be that of their orders.
-Status CheckOrders(const IndexedStripes& stripes, const cv::Mat& green_hand, const DeviceGeometry& device) {
-  const OrderShift found = FindOrderShift(stripes, green_hand, device, {});
+Status CheckOrders(const IndexedStripes& stripes, const cv::Mat& green_hand, const DeviceGeometry& device,
+                   const Context& context) {
+  const OrderShift found = FindOrderShift(stripes, green_hand, device, {}, context);
   if (found.shift == 0) return {};
   char text[192];
   std::snprintf(
@@ -107,8 +110,6 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   DORSUM_ASSIGN_OR_RETURN(FoundObject found, FindObject(capture, ready, resolved, context));
   out.mask = std::move(found.mask);
   out.stripes = std::move(found.stripes);
-  if (resolved.indexing == "joint")
-    DORSUM_RETURN_IF_ERROR(CheckOrders(out.stripes, found.green_hand, device));
   out.warnings.insert(out.warnings.end(), found.warnings.begin(), found.warnings.end());
   for (const LaserStripes& one : out.stripes.lasers) {
     if (one.points.empty()) {
@@ -119,11 +120,19 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
   WarnOfMotion(capture, &out.warnings);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   context.Report("surface", 0.6);
-  Triangulation triangulation =
-      Triangulate(out.stripes, *ready.orders,
-                  {.sheets = resolved.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane,
-                   .correction = resolved.correction == "polynomial"},
-                  context);
+  Status orders_fit;
+  Triangulation triangulation;
+  ParallelFor(context, 0, resolved.indexing == "joint" ? 2 : 1, [&](std::int64_t task) {
+    if (task == 1) {
+      orders_fit = CheckOrders(out.stripes, found.green_hand, device, context);
+      return;
+    }
+    triangulation = Triangulate(out.stripes, *ready.orders,
+                                {.sheets = resolved.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane,
+                                 .correction = resolved.correction == "polynomial"},
+                                context);
+  });
+  DORSUM_RETURN_IF_ERROR(orders_fit);
   out.points = std::move(triangulation.points);
   out.without_order = triangulation.without_order;
   out.without_sheet = triangulation.without_sheet;

@@ -7,9 +7,11 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
+#include "base/parallel.h"
 #include "stripes/ridge_survey.h"
 
 namespace dorsum {
@@ -91,33 +93,36 @@ void MarkChanged(const cv::Mat& unchanged, cv::Mat1b* cells) {
 }  // namespace
 
 cv::Mat FindBusyPart(const std::vector<LaserStripes>& surveyed, const DeviceOrders& orders,
-                     const cv::Mat& unchanged, const BusyPartOptions& options) {
+                     const cv::Mat& unchanged, const BusyPartOptions& options, const Context& context) {
   // Row k of cells reaches from below surveyed row k - 1 to surveyed row k.
   const int count = std::max(0, (unchanged.rows - kSurveyedRows.first + kCell - 1) / kCell);
   const int cols = (unchanged.cols + kCell - 1) / kCell;
-  cv::Mat1b rows(std::max(1, count), cols, std::uint8_t{0}), cells(count + 1, cols, std::uint8_t{0});
+  cv::Mat1b cells(count + 1, cols, std::uint8_t{0});
   if (count == 0) {
     cv::Mat all(unchanged.size(), CV_8UC1, cv::Scalar(255));
     return all;
   }
-  for (const LaserStripes& one : surveyed) {
+  std::vector<cv::Mat1b> marked(surveyed.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(surveyed.size()), [&](std::int64_t i) {
+    const LaserStripes& one = surveyed[static_cast<std::size_t>(i)];
+    cv::Mat1b& rows = marked[static_cast<std::size_t>(i)];
     const LaserGeometry* laser = orders.device().FindLaser(one.laser);
+    rows = cv::Mat1b(count, cols, static_cast<std::uint8_t>(laser == nullptr ? 255 : 0));
     auto next = one.points.begin();
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; laser != nullptr && k < count; ++k) {
       const int row = kSurveyedRows.first + k * kCell;
       const auto first =
           std::find_if(next, one.points.end(), [&](const StripePoint& p) { return p.v >= row; });
       next = std::find_if(first, one.points.end(), [&](const StripePoint& p) { return p.v > row; });
-      const std::span<std::uint8_t> out(rows.ptr<std::uint8_t>(k), static_cast<std::size_t>(cols));
-      if (laser == nullptr) {
-        std::fill(out.begin(), out.end(), std::uint8_t{255});
-      } else {
-        MarkRow({first, next}, *laser, orders, row, options, out);
-      }
+      MarkRow({first, next}, *laser, orders, row, options,
+              {rows.ptr<std::uint8_t>(k), static_cast<std::size_t>(cols)});
     }
-  }
-  for (int k = 0; k <= count; ++k) {
-    cells.row(k) = cells.row(k) | rows.row(std::max(0, k - 1)) | rows.row(std::min(k, count - 1));
+  });
+  for (const cv::Mat1b& rows : marked) {
+    for (const int below : {0, 1}) {
+      cv::Mat there = cells.rowRange(below, below + count);
+      cv::bitwise_or(there, rows, there);
+    }
   }
   MarkChanged(unchanged, &cells);
   const int side = 2 * options.margin_cells + 1;

@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/context.h"
 #include "stripes/device_orders.h"
 #include "stripes/stripes.h"
 
@@ -23,6 +24,6 @@ struct BusyPartOptions {
 //   the picture's size, not 0 where the light is the empty
 // backplane's. Returns CV_8UC1 of that size, 255 where it is busy.
 cv::Mat FindBusyPart(const std::vector<LaserStripes>& surveyed, const DeviceOrders& orders,
-                     const cv::Mat& unchanged, const BusyPartOptions& options);
+                     const cv::Mat& unchanged, const BusyPartOptions& options, const Context& context = {});
 
 }  // namespace dorsum

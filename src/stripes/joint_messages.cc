@@ -36,31 +36,37 @@ class Messages {
       table_.candidates.push_back(costs.size());
     }
     // What a piece reads lies together: the messages to it, and its edges' costs.
-    std::vector<std::vector<std::size_t>> edges_of(pieces.size());
-    for (std::size_t k = 0; k < graph.edges.size(); ++k) {
-      const std::size_t a = place[static_cast<std::size_t>(graph.edges[k].first)],
-                        b = place[static_cast<std::size_t>(graph.edges[k].second)];
+    struct Edge {
+      const JointEdge* edge;
+      std::size_t a, b;                      // places of its pieces
+      std::array<std::uint32_t, 2> to = {};  // where the messages to them begin
+    };
+    std::vector<Edge> edges;
+    edges.reserve(graph.edges.size());
+    std::vector<std::vector<std::uint32_t>> edges_of(pieces.size());
+    std::size_t costs = 0;
+    for (const JointEdge& e : graph.edges) {
+      const std::size_t a = place[static_cast<std::size_t>(e.first)],
+                        b = place[static_cast<std::size_t>(e.second)];
       if (table_.candidates[a] == 0 || table_.candidates[b] == 0) continue;
-      edges_of[a].push_back(k);
-      edges_of[b].push_back(k);
+      for (const std::size_t i : {a, b}) edges_of[i].push_back(static_cast<std::uint32_t>(edges.size()));
+      edges.push_back({&e, a, b});
+      costs += table_.candidates[a] + table_.candidates[b];
     }
-    std::vector<std::array<std::uint32_t, 2>> to(
-        graph.edges.size());  // where the messages to an edge's ends begin
+    table_.messages.reserve(2 * edges.size() * table_.wide);
+    table_.costs.reserve(costs * table_.wide);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      for (const std::size_t k : edges_of[i]) {
-        const bool is_first = place[static_cast<std::size_t>(graph.edges[k].first)] == i;
-        to[k][is_first ? 0 : 1] = AddMessage(table_.candidates[i]);
-      }
+      for (const std::uint32_t k : edges_of[i])
+        edges[k].to[edges[k].a == i ? 0 : 1] = AddMessage(table_.candidates[i]);
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      for (const std::size_t k : edges_of[i]) {
-        const JointEdge& e = graph.edges[k];
-        const std::size_t a = place[static_cast<std::size_t>(e.first)],
-                          b = place[static_cast<std::size_t>(e.second)];
-        const bool is_first = a == i;
-        table_.ends[i].push_back({static_cast<std::uint32_t>(is_first ? b : a), to[k][is_first ? 0 : 1],
-                                  to[k][is_first ? 1 : 0],
-                                  AddCosts(e, table_.candidates[a], table_.candidates[b], is_first)});
+      table_.ends[i].reserve(edges_of[i].size());
+      for (const std::uint32_t k : edges_of[i]) {
+        const Edge& e = edges[k];
+        const bool is_first = e.a == i;
+        table_.ends[i].push_back(
+            {static_cast<std::uint32_t>(is_first ? e.b : e.a), e.to[is_first ? 0 : 1], e.to[is_first ? 1 : 0],
+             AddCosts(*e.edge, table_.candidates[e.a], table_.candidates[e.b], is_first)});
       }
     }
   }

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -91,14 +95,19 @@ double Deviation(const Levels& object, const Levels& backplane, int shift, int m
 }  // namespace
 
 OrderShift FindOrderShift(const IndexedStripes& stripes, const cv::Mat& green, const DeviceGeometry& device,
-                          const OrderShiftOptions& options) {
+                          const OrderShiftOptions& options, const Context& context) {
   const cv::Mat smooth = SmoothAround(stripes, green);
+  std::vector<Levels> on_object(stripes.lasers.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(on_object.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    on_object[k] = LevelsOnObject(stripes.lasers[k], smooth, options.min_rows);
+  });
   std::map<int, double> sums;  // of the lasers' deviations, by shift
   OrderShift out;
-  for (const LaserStripes& one : stripes.lasers) {
-    const LaserGeometry* laser = device.FindLaser(one.laser);
+  for (std::size_t k = 0; k < on_object.size(); ++k) {
+    const LaserGeometry* laser = device.FindLaser(stripes.lasers[k].laser);
     if (laser == nullptr) continue;
-    const Levels object = LevelsOnObject(one, smooth, options.min_rows);
+    const Levels& object = on_object[k];
     const Levels backplane = LevelsOnBackplane(*laser);
     if (!std::isfinite(Deviation(object, backplane, 0, options.min_orders))) continue;
     ++out.lasers;

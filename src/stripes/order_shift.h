@@ -3,6 +3,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/context.h"
 #include "geometry/calibration.h"
 #include "stripes/stripes.h"
 
@@ -30,6 +31,6 @@ struct OrderShift {
 // linear change over the orders is allowed for the lights' directions. Orders without a reference stripe do
 // not count.
 OrderShift FindOrderShift(const IndexedStripes& stripes, const cv::Mat& green, const DeviceGeometry& device,
-                          const OrderShiftOptions& options);
+                          const OrderShiftOptions& options, const Context& context = {});
 
 }  // namespace dorsum

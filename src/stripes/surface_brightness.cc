@@ -87,38 +87,52 @@ double SurfaceBrightness::LevelAt(double u, int v) const {
   return (1.0 - share) * static_cast<double>(level_(y, x0)) + share * static_cast<double>(level_(y, x1));
 }
 
+std::map<int, std::vector<RatioSample>> SurfaceBrightness::SamplesByOrder(const LaserStripes& one) const {
+  std::map<int, std::vector<RatioSample>> by_order;
+  for (const StripeSegment& s : one.segments) {
+    if (!s.order) continue;
+    std::vector<RatioSample>& samples = by_order[*s.order];
+    for (std::int32_t i = s.first; i < s.first + s.count; ++i) {
+      const StripePoint& p = one.points[static_cast<std::size_t>(i)];
+      const cv::Point at(cvRound(p.u), cvRound(p.v));
+      if (p.peak >= kClippedPeak || !IsInside(at.x, at.y)) continue;
+      const auto level = static_cast<float>(LevelAt(static_cast<double>(p.u), at.y));
+      const cv::Point here = at - part_.tl();
+      samples.push_back({static_cast<float>(here.x), static_cast<float>(here.y),
+                         std::log(std::max(1.0F, p.peak)) - level, level});
+    }
+  }
+  return by_order;
+}
+
 void SurfaceBrightness::Compare(const IndexedStripes& stripes, const Context& context) {
-  std::vector<RatioSample> all;
   const cv::Mat1b whole_part =
       Shrunk(inside_, std::max(0, kWholeInside - options_.margin_px), cv::MORPH_RECT);
-  for (const LaserStripes& one : stripes.lasers) {
-    std::map<int, std::vector<RatioSample>> by_order;
-    for (const StripeSegment& s : one.segments) {
-      if (!s.order) continue;
-      std::vector<RatioSample>& samples = by_order[*s.order];
-      for (std::int32_t i = s.first; i < s.first + s.count; ++i) {
-        const StripePoint& p = one.points[static_cast<std::size_t>(i)];
-        const cv::Point at(cvRound(p.u), cvRound(p.v));
-        if (p.peak >= kClippedPeak || !IsInside(at.x, at.y)) continue;
-        const auto level = static_cast<float>(LevelAt(static_cast<double>(p.u), at.y));
-        const cv::Point here = at - part_.tl();
-        samples.push_back({static_cast<float>(here.x), static_cast<float>(here.y),
-                           std::log(std::max(1.0F, p.peak)) - level, level});
-      }
-    }
-    for (auto& [order, samples] : by_order) {
+  struct OfLaser {
+    std::map<int, float> strength;
+    std::vector<RatioSample> samples;
+  };
+  std::vector<OfLaser> lasers(stripes.lasers.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(lasers.size()), [&](std::int64_t n) {
+    OfLaser& out = lasers[static_cast<std::size_t>(n)];
+    for (auto& [order, samples] : SamplesByOrder(stripes.lasers[static_cast<std::size_t>(n)])) {
       std::vector<float> whole;
       for (const RatioSample& s : samples) {
         if (whole_part(static_cast<int>(s.v), static_cast<int>(s.u)) != 0) whole.push_back(s.ratio);
       }
       if (whole.size() < kLeastRows) continue;
-      const float strength = Median(std::move(whole));
-      strength_[{one.laser, order}] = static_cast<double>(strength);
-      for (RatioSample& s : samples) {
+      const float strength = out.strength[order] = Median(std::move(whole));
+      for (RatioSample s : samples) {
         s.ratio -= strength;
-        all.push_back(s);
+        out.samples.push_back(s);
       }
     }
+  });
+  std::vector<RatioSample> all;
+  for (std::size_t n = 0; n < lasers.size(); ++n) {
+    for (const auto& [order, strength] : lasers[n].strength)
+      strength_[{stripes.lasers[n].laser, order}] = static_cast<double>(strength);
+    all.insert(all.end(), lasers[n].samples.begin(), lasers[n].samples.end());
   }
   ratio_ = BrightnessRatio(part_.size(), all, options_.window_px, context);
 }

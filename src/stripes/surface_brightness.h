@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -46,6 +47,7 @@ class SurfaceBrightness {
  private:
   bool IsInside(int u, int v) const;
   double LevelAt(double u, int v) const;
+  std::map<int, std::vector<RatioSample>> SamplesByOrder(const LaserStripes& one) const;
   void Compare(const IndexedStripes& stripes, const Context& context);
 
   SurfaceBrightnessOptions options_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <numeric>
@@ -14,6 +15,26 @@
 
 namespace dorsum {
 namespace {
+
+// Sorts what comes in few stretches that are sorted already.
+template <class T, class Before>
+void SortStretches(const Before& before, std::vector<T>* all) {
+  std::vector<std::pair<std::size_t, std::size_t>> stretches;  // begins and ends
+  for (std::size_t i = 0; i < all->size(); ++i) {
+    if (i == 0 || before((*all)[i], (*all)[i - 1])) stretches.emplace_back(i, i);
+    ++stretches.back().second;
+  }
+  std::sort(stretches.begin(), stretches.end(),
+            [&](const auto& a, const auto& b) { return before((*all)[a.first], (*all)[b.first]); });
+  std::vector<T> out;
+  out.reserve(all->size());
+  for (const auto& [begin, end] : stretches) {
+    out.insert(out.end(), all->begin() + static_cast<std::ptrdiff_t>(begin),
+               all->begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  if (!std::is_sorted(out.begin(), out.end(), before)) std::sort(out.begin(), out.end(), before);
+  *all = std::move(out);
+}
 
 // The run that each point belongs to; runs are numbered along the points sorted by laser, order, segment and
 // row.
@@ -37,8 +58,7 @@ std::vector<int> CutIntoRuns(const SurfacePoints& points, int* count) {
   const auto before = [](const Place& a, const Place& b) {
     return std::tie(a.stripe, a.v, a.point) < std::tie(b.stripe, b.v, b.point);
   };
-  if (!std::is_sorted(by_stripe.begin(), by_stripe.end(), before))
-    std::sort(by_stripe.begin(), by_stripe.end(), before);
+  SortStretches(before, &by_stripe);
   std::vector<int> runs(points.size(), 0);
   int run = -1;
   const SurfacePoint* last = nullptr;
