@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "base/median.h"
+#include "base/parallel.h"
 #include "calibration/bundle_boards.h"
 #include "calibration/bundle_residuals.h"
 #include "calibration/bundle_verdicts.h"
@@ -77,16 +81,18 @@ class Bundler {
     const Camera camera = solution_.state.GetCamera();
     const std::map<int, double> central =
         CentralPlaces(series_, camera, pictures_, options_, context_, &out_.warnings);
-    for (std::size_t i = 0; i < series_.lasers.size(); ++i) {
+    std::vector<std::optional<Result<SheetStart>>> starts(series_.lasers.size());
+    ParallelFor(context_, 0, static_cast<std::int64_t>(starts.size()), [&](std::int64_t i) {
       const int index = static_cast<int>(i);
-      const auto place = central.find(series_.lasers[i]);
-      DORSUM_ASSIGN_OR_RETURN(
-          const SheetStart start,
-          EstimateSheets(camera, FindPicture(pictures_, index, "backplane")->stripes,
-                         FindPicture(pictures_, index, "Closer")->stripes, solution_.state.planes[1][0],
-                         place == central.end() ? std::nullopt : std::optional(place->second),
-                         options_.start));
-      solution_.state.fans.push_back(FanFromGeometry(start.fan));
+      const auto place = central.find(series_.lasers[static_cast<std::size_t>(i)]);
+      starts[static_cast<std::size_t>(i)] = EstimateSheets(
+          camera, FindPicture(pictures_, index, "backplane")->stripes,
+          FindPicture(pictures_, index, "Closer")->stripes, solution_.state.planes[1][0],
+          place == central.end() ? std::nullopt : std::optional(place->second), options_.start);
+    });
+    for (const auto& start : starts) {
+      if (!start->ok()) return start->error();
+      solution_.state.fans.push_back(FanFromGeometry((*start)->fan));
     }
     return {};
   }
@@ -108,7 +114,7 @@ class Bundler {
     SheetAssignmentOptions assignment = options_.assignment;
     assignment.tolerance = tolerance;
     assignment.every_rows *= thin;
-    out_.data.points = AssignOrders(pictures_, solution_.state, assignment);
+    out_.data.points = AssignOrders(pictures_, solution_.state, assignment, context_);
     out_.assigned = AssignedShares(pictures_, out_.data.points, assignment);
     for (const SeriesCheck& s : out_.left_out) {
       std::erase_if(out_.data.points, [&s](const SheetPoint& p) { return p.source == s.source; });

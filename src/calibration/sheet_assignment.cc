@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
+#include "base/parallel.h"
 #include "calibration/stripe_models.h"
 
 namespace dorsum {
@@ -105,12 +108,15 @@ class Assigner {
 }  // namespace
 
 std::vector<SheetPoint> AssignOrders(const std::vector<SheetPicture>& pictures, const BundleState& state,
-                                     const SheetAssignmentOptions& options) {
+                                     const SheetAssignmentOptions& options, const Context& context) {
   const Assigner assigner(state, options);
+  std::vector<std::vector<SheetPoint>> of_pictures(pictures.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(pictures.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    assigner.AddPicture(pictures[k], static_cast<int>(i), &of_pictures[k]);
+  });
   std::vector<SheetPoint> points;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    assigner.AddPicture(pictures[i], static_cast<int>(i), &points);
-  }
+  for (const auto& own : of_pictures) points.insert(points.end(), own.begin(), own.end());
   return points;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/context.h"
 #include "calibration/bundle_problem.h"
 #include "calibration/sheet_pictures.h"
 
@@ -20,6 +21,6 @@ struct SheetAssignmentOptions {
 // plane that the picture was taken for when that plane is known to fill it (`planes` has the expected one
 // first). Returns the thinned points.
 std::vector<SheetPoint> AssignOrders(const std::vector<SheetPicture>& pictures, const BundleState& state,
-                                     const SheetAssignmentOptions& options);
+                                     const SheetAssignmentOptions& options, const Context& context = {});
 
 }  // namespace dorsum

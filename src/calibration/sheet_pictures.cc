@@ -44,7 +44,7 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
       pictures.push_back({folder + StripesHandName(k),
                           "box " + Millimetres(height),
                           index,
-                          {static_cast<int>(2 + b), 0},
+                          {kFirstBoxPlane + static_cast<int>(b), 0},
                           {}});
     }
   }
@@ -57,6 +57,11 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
       status[static_cast<std::size_t>(i)] = image.error();
       return;
     }
+    if (picture.planes.front() >= kFirstBoxPlane) {
+      Status& exposed = status[static_cast<std::size_t>(i)];
+      exposed = CheckExposure(*image, (series.dir / picture.name).string());
+      if (!exposed.ok()) return;
+    }
     Context quiet = context;
     quiet.progress = nullptr;
     quiet.sink = nullptr;
@@ -68,7 +73,7 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);
   for (const SheetPicture& picture : pictures) {
-    const bool box = picture.planes.front() > 1;
+    const bool box = picture.planes.front() >= kFirstBoxPlane;
     if (box || !picture.stripes.segments.empty()) continue;
     return BadInput("no stripes are seen in " + picture.name + "; is laser " +
                     std::to_string(series.lasers[static_cast<std::size_t>(picture.laser)]) +

@@ -28,7 +28,8 @@ struct SheetPicture {
   LaserStripes stripes;     // pooled along the stripe, where the options say
 };
 
-// Planes of a series: the backplane, the calibration object's top, the boxes' tops.
+// Planes of a series: the backplane, the calibration object's top, from kFirstBoxPlane on the boxes' tops.
+inline constexpr int kFirstBoxPlane = 2;
 std::vector<HeightPlane> PlanesOfSeries(const CalibrationSeries& series);
 
 // Reads every picture of stripes on planes of known height (§3.2) and finds its ridges. Without the heights/

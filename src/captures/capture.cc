@@ -40,6 +40,11 @@ cv::Size SizeOf(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::string MissingStripes(const std::filesystem::path& dir, int laser) {
+  return "the image " + StripesHandName(laser) + " is missing in " + dir.string() + "; laser " +
+         std::to_string(laser) + " gives no points";
+}
+
 Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size expected,
                                   const std::vector<int>& lasers, const Context& context, Channels stripes) {
   std::error_code ec;
@@ -60,8 +65,7 @@ Result<CaptureImages> LoadCapture(const std::filesystem::path& dir, cv::Size exp
       seen.push_back(laser);
       continue;
     }
-    capture.warnings.push_back("the image " + name + " is missing in " + dir.string() + "; laser " +
-                               std::to_string(laser) + " gives no points");
+    capture.warnings.push_back(MissingStripes(dir, laser));
   }
   const auto after = FindImage(dir, kBgHandAfterName);
   if (after)

@@ -24,6 +24,9 @@ struct CaptureImages {
   std::vector<std::string> warnings;  // one sentence each
 };
 
+// What is said where the image of a laser's stripes is missing in a capture folder.
+std::string MissingStripes(const std::filesystem::path& dir, int laser);
+
 // Loads a capture folder. All images must be of the `expected` size, or of bgHand's if that is empty.
 // `lasers` are those that the calibration knows; a missing image of one of them is a warning, and an error
 // only when all are missing. Refuses images that show nothing: all black, all white. Images are decoded on

@@ -2,12 +2,14 @@
 #include "jobs/box_samples.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
 
 #include "base/parallel.h"
+#include "calibration/sheet_pictures.h"
 #include "captures/capture.h"
 
 namespace dorsum {
@@ -40,7 +42,7 @@ Result<SamplesByLaser> SampleBox(const CaptureImages& capture, double height_mm,
 }  // namespace
 
 Result<SamplesByLaser> SampleBoxes(const CalibrationSeries& series, const ReadyCalibration& ready,
-                                   const CalibrateOptions& options, const Context& context, bool must,
+                                   const CalibrateOptions& options, const Context& context,
                                    std::vector<std::string>* warnings) {
   struct Box {
     std::vector<std::string> warnings;
@@ -76,13 +78,21 @@ Result<SamplesByLaser> SampleBoxes(const CalibrationSeries& series, const ReadyC
   for (const Box& box : boxes) {
     DORSUM_RETURN_IF_ERROR(box.unread);
     warnings->insert(warnings->end(), box.warnings.begin(), box.warnings.end());
-    if (must) DORSUM_RETURN_IF_ERROR(box.unmade);
-    if (!box.unmade.ok()) {
-      warnings->push_back("a box is not used to correct the document's plane sheets: " +
-                          box.unmade.error().message);
-    }
+    DORSUM_RETURN_IF_ERROR(box.unmade);
     for (const auto& [laser, list] : box.samples)
       samples[laser].insert(samples[laser].end(), list.begin(), list.end());
+  }
+  return samples;
+}
+
+SamplesByLaser SampleBundle(const BundleCalibration& bundle, const DeviceGeometry& device) {
+  SamplesByLaser samples;
+  for (const SheetPoint& p : bundle.data.points) {
+    if (p.plane < kFirstBoxPlane) continue;
+    const LaserGeometry& laser = device.lasers[static_cast<std::size_t>(p.laser)];
+    const auto at = IntersectSheet(CastRay(device.camera, {p.u, p.v}), laser, SheetModel::kPlane, p.order);
+    const double height = bundle.solution.state.planes[static_cast<std::size_t>(p.plane)][0];
+    if (at && at->allFinite()) samples[laser.laser].push_back({at->x(), at->z(), height});
   }
   return samples;
 }

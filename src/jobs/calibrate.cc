@@ -53,10 +53,14 @@ Status FitCorrections(const CalibrationSeries& series, const CalibrateOptions& o
   const bool planes = std::all_of(calibration.device.lasers.begin(), calibration.device.lasers.end(),
                                   [](const LaserGeometry& l) { return !l.planes.empty(); });
   if (!series.box_heights_mm.empty() && planes) {
-    DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
-                            PrepareCalibration(calibration, series.dir.string()));
-    DORSUM_ASSIGN_OR_RETURN(auto samples,
-                            SampleBoxes(series, ready, options, context, !cones, &calibration.warnings));
+    SamplesByLaser samples;
+    if (cones) {
+      samples = SampleBundle(*run->bundle, calibration.device);
+    } else {
+      DORSUM_ASSIGN_OR_RETURN(const ReadyCalibration ready,
+                              PrepareCalibration(calibration, series.dir.string()));
+      DORSUM_ASSIGN_OR_RETURN(samples, SampleBoxes(series, ready, options, context, &calibration.warnings));
+    }
     for (LaserGeometry& laser : calibration.device.lasers) {
       LaserCorrection evidence;
       evidence.laser = laser.laser;

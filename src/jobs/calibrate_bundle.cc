@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/median.h"
+#include "base/parallel.h"
+#include "captures/capture.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
 
@@ -58,17 +64,36 @@ void AddClassicSheets(const LaserGeometry& classic, LaserGeometry* laser) {
   for (ReferenceStripe& r : laser->reference) r.order += shift;
 }
 
+// Pictures that a part of the method or nothing looks at; a bad one is refused all the same.
+Status CheckOthers(const CalibrationSeries& series, const Context& context,
+                   std::vector<std::string>* warnings) {
+  std::vector<std::string> names = {LaserBgName(Distance::kFurther), LaserBgName(Distance::kCloser)};
+  const std::size_t first_lit = names.size();  // those from here on must show something
+  names.emplace_back(kFirstEstimatesName);
+  for (const double height : series.box_heights_mm) {
+    names.push_back(std::string(kHeightsFolder) + "/" + HeightFolderName(height) + "/" + kBgHandName);
+    for (const int laser : series.lasers) {
+      if (!FindImage(series.BoxDir(height), StripesHandName(laser)))
+        warnings->push_back(MissingStripes(series.BoxDir(height), laser));
+    }
+  }
+  std::vector<Status> status(names.size());
+  ParallelFor(context, 0, static_cast<std::int64_t>(names.size()), [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Result<cv::Mat> image = series.Read(names[k]);
+    status[k] = !image.ok()      ? Status(image.error())
+                : k >= first_lit ? CheckExposure(*image, (series.dir / names[k]).string())
+                                 : Status();
+  });
+  for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);
+  return {};
+}
+
 }  // namespace
 
 Status CalibrateByBundle(const CalibrationSeries& series, const CalibrateOptions& options,
                          const Context& context, CalibrationRun* run) {
-  // Pictures that only a part of the method looks at; a bad one is refused all the same.
-  for (const std::string& name :
-       {LaserBgName(Distance::kFurther), LaserBgName(Distance::kCloser), std::string(kFirstEstimatesName)}) {
-    DORSUM_ASSIGN_OR_RETURN(const cv::Mat image, series.Read(name));
-    if (name == kFirstEstimatesName)
-      DORSUM_RETURN_IF_ERROR(CheckExposure(image, (series.dir / name).string()));
-  }
+  DORSUM_RETURN_IF_ERROR(CheckOthers(series, context, &run->calibration.warnings));
   context.Report("chessboards", 0.0);
   DORSUM_ASSIGN_OR_RETURN(const CameraCalibration camera,
                           CalibrateCamera(series, options.classic.camera, context));
