@@ -50,10 +50,10 @@ Result<std::vector<BoardView>> FindLyingBoards(const CalibrationSeries& series, 
   ParallelFor(context, 0, static_cast<std::int64_t>(views.size()), [&](std::int64_t i) {
     BoardView& view = views[static_cast<std::size_t>(i)];
     if (context.IsCancelled()) return;
-    const Result<cv::Mat> image = series.Read(view.name);
+    const Result<cv::Mat> image = series.Read(view.name, Channels::kGreen);
     if (!image.ok()) {
       status[static_cast<std::size_t>(i)] = image.error();
-    } else if (const auto corners = FindChessboard(GreenChannel(*image), inner)) {
+    } else if (const auto corners = FindChessboard(*image, inner)) {
       view.corners = ToEigen(*corners);
     }
   });

@@ -2,6 +2,7 @@
 #include "calibration/bundle_calibration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,18 +25,17 @@ class Bundler {
   Bundler(const CalibrationSeries& series, const BundleOptions& options, const Context& context)
       : series_(series), options_(options), problem_(options.problem), context_(context) {}
 
-  Result<BundleCalibration> Run(const CameraCalibration& camera) {
-    DORSUM_RETURN_IF_ERROR(CollectBoards(series_, camera, context_, &out_.data, &out_.warnings));
-    out_.data.planes = PlanesOfSeries(series_);
-    SheetPictureOptions pictures = options_.pictures;
-    pictures.pooling.every_rows = options_.assignment.every_rows;
-    pictures.pooling.first_row = options_.assignment.end_rows;
-    DORSUM_ASSIGN_OR_RETURN(pictures_, FindSheetPictures(series_, pictures, context_));
-    for (const SheetPicture& p : pictures_) {
-      out_.pictures.push_back(p.name);
-      out_.laser_of_picture.push_back(p.laser);
-    }
-    DORSUM_RETURN_IF_ERROR(SolveBoards(camera.camera));
+  Result<BundleCalibration> Run(const CameraCalibrationOptions& camera) {
+    // What is seen of the stripes and the drawn lines does not wait for camera and boards.
+    std::array<Status, 3> status;
+    Context inner = context_;
+    if (context_.sink != nullptr) inner.threads = 1;  // a sink is called from one thread
+    ParallelFor(inner, 0, 3, [&](std::int64_t task) {
+      status[static_cast<std::size_t>(task)] = task == 0   ? FindStripes()
+                                               : task == 1 ? FindLines()
+                                                           : StartWithBoards(camera);
+    });
+    for (const Status& s : {status[2], status[0], status[1]}) DORSUM_RETURN_IF_ERROR(s);
     DORSUM_RETURN_IF_ERROR(StartSheets());
     DORSUM_RETURN_IF_ERROR(SolveSheets());
     DORSUM_RETURN_IF_ERROR(CheckAndRepeat());
@@ -44,10 +44,35 @@ class Bundler {
   }
 
  private:
+  Status FindStripes() {
+    SheetPictureOptions pictures = options_.pictures;
+    pictures.pooling.every_rows = options_.assignment.every_rows;
+    pictures.pooling.first_row = options_.assignment.end_rows;
+    DORSUM_ASSIGN_OR_RETURN(pictures_, FindSheetPictures(series_, pictures, context_));
+    for (const SheetPicture& p : pictures_) {
+      out_.pictures.push_back(p.name);
+      out_.laser_of_picture.push_back(p.laser);
+    }
+    return {};
+  }
+
+  // Without them, the brightest stripes are the central ones.
+  Status FindLines() {
+    Result<DrawnLines> drawn = FindDrawnLines(series_, options_.first_estimates, context_);
+    if (drawn.ok()) out_.drawn = std::move(*drawn);
+    return {};
+  }
+
+  Status StartWithBoards(const CameraCalibrationOptions& camera) {
+    DORSUM_ASSIGN_OR_RETURN(out_.start, CalibrateCamera(series_, camera, context_));
+    DORSUM_RETURN_IF_ERROR(CollectBoards(series_, out_.start, context_, &out_.data, &out_.warnings));
+    out_.data.planes = PlanesOfSeries(series_);
+    return SolveBoards(out_.start.camera);
+  }
+
   // Camera and boards alone, which says how well corners are found, whether the board is flat, and how high
   // the calibration object really is.
   Status SolveBoards(const Camera& camera) {
-    context_.Report("bundle: boards", 0.3);
     BundleProblemOptions boards = problem_;
     boards.use_points = false;
     DORSUM_ASSIGN_OR_RETURN(solution_,
@@ -80,7 +105,7 @@ class Bundler {
   Status StartSheets() {
     const Camera camera = solution_.state.GetCamera();
     const std::map<int, double> central =
-        CentralPlaces(series_, camera, pictures_, options_, context_, &out_.warnings);
+        CentralPlaces(series_, camera, pictures_, out_.drawn, options_, &out_.warnings);
     std::vector<std::optional<Result<SheetStart>>> starts(series_.lasers.size());
     ParallelFor(context_, 0, static_cast<std::int64_t>(starts.size()), [&](std::int64_t i) {
       const int index = static_cast<int>(i);
@@ -210,9 +235,10 @@ class Bundler {
 
 }  // namespace
 
-Result<BundleCalibration> CalibrateBundle(const CalibrationSeries& series, const CameraCalibration& camera,
+Result<BundleCalibration> CalibrateBundle(const CalibrationSeries& series,
+                                          const CameraCalibrationOptions& camera,
                                           const BundleOptions& options, const Context& context) {
-  context.Report("stripes on planes", 0.0);
+  context.Report("chessboards and stripes", 0.0);
   return Bundler(series, options, context).Run(camera);
 }
 

@@ -53,7 +53,9 @@ struct SheetResidual {
 };
 
 struct BundleCalibration {
+  CameraCalibration start;            // what the chessboards alone say of the camera
   DeviceGeometry device;              // cone sheets, in the world frame of DESIGN §2
+  std::optional<DrawnLines> drawn;    // of laserFirstEstimates, if it shows any
   BundleData data;                    // what was adjusted
   BundleSolution solution;            // in the same world
   std::vector<std::string> pictures;  // names, of SheetResidual::picture
@@ -73,7 +75,8 @@ struct BundleCalibration {
 // Cone calibration (DESIGN §3): lens, camera pose, board poses and, per laser, the grating's pose, tilt,
 // order step and fan distance in one robust least squares over chessboard corners and the stripes on every
 // plane of known height.
-Result<BundleCalibration> CalibrateBundle(const CalibrationSeries& series, const CameraCalibration& camera,
+Result<BundleCalibration> CalibrateBundle(const CalibrationSeries& series,
+                                          const CameraCalibrationOptions& camera,
                                           const BundleOptions& options, const Context& context);
 
 }  // namespace dorsum

@@ -48,11 +48,11 @@ std::vector<View> FindBoards(const CalibrationSeries& series, cv::Size inner, co
   ParallelFor(context, 0, static_cast<std::int64_t>(views.size()), [&](std::int64_t i) {
     const auto index = static_cast<std::size_t>(i);
     if (context.IsCancelled()) return;
-    const Result<cv::Mat> image = series.Read(series.chess_views[index]);
+    const Result<cv::Mat> image = series.Read(series.chess_views[index], Channels::kGreen);
     if (!image.ok()) {
       views[index].status = image.error();
     } else {
-      views[index].corners = FindChessboard(GreenChannel(*image), inner);
+      views[index].corners = FindChessboard(*image, inner);
     }
   });
   return views;

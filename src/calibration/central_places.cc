@@ -16,8 +16,9 @@ const SheetPicture* FindPicture(const std::vector<SheetPicture>& pictures, int l
 }
 
 std::map<int, double> CentralPlaces(const CalibrationSeries& series, const Camera& camera,
-                                    const std::vector<SheetPicture>& pictures, const BundleOptions& options,
-                                    const Context& context, std::vector<std::string>* warnings) {
+                                    const std::vector<SheetPicture>& pictures,
+                                    const std::optional<DrawnLines>& drawn, const BundleOptions& options,
+                                    std::vector<std::string>* warnings) {
   std::map<int, double> brightest;
   std::map<int, double> spacing;
   for (std::size_t i = 0; i < series.lasers.size(); ++i) {
@@ -29,13 +30,11 @@ std::map<int, double> CentralPlaces(const CalibrationSeries& series, const Camer
     brightest[series.lasers[i]] = best->at;
     spacing[series.lasers[i]] = (lines.back().at - lines.front().at) / static_cast<double>(lines.size() - 1);
   }
-  const Result<std::vector<double>> drawn =
-      FindFirstEstimates(series, camera, options.first_estimates, context);
-  std::map<int, double> places;
-  if (drawn.ok()) places = AssignFirstEstimates(*drawn, brightest);
+  const std::vector<double> lines = drawn ? PlacesOfLines(*drawn, camera) : std::vector<double>();
+  const std::map<int, double> places = AssignFirstEstimates(lines, brightest);
   if (places.empty()) {
-    warnings->push_back("laserFirstEstimates shows " + std::to_string(drawn.ok() ? drawn->size() : 0) +
-                        " lines for " + std::to_string(series.lasers.size()) +
+    warnings->push_back("laserFirstEstimates shows " + std::to_string(lines.size()) + " lines for " +
+                        std::to_string(series.lasers.size()) +
                         " lasers; the brightest stripe of each laser is taken as its central one");
     return brightest;
   }

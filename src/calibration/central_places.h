@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ const SheetPicture* FindPicture(const std::vector<SheetPicture>& pictures, int l
 // (§3.2) belongs to which laser is told by the lasers' brightest stripes, and where the drawing is no help
 // they stand in for it, with a warning.
 std::map<int, double> CentralPlaces(const CalibrationSeries& series, const Camera& camera,
-                                    const std::vector<SheetPicture>& pictures, const BundleOptions& options,
-                                    const Context& context, std::vector<std::string>* warnings);
+                                    const std::vector<SheetPicture>& pictures,
+                                    const std::optional<DrawnLines>& drawn, const BundleOptions& options,
+                                    std::vector<std::string>* warnings);
 
 }  // namespace dorsum

@@ -2,6 +2,7 @@
 #include "calibration/classic_calibration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -35,15 +36,26 @@ Status ObserveAll(const CalibrationSeries& series, const CameraCalibration& came
   Context inner = context;
   inner.progress = nullptr;
   if (context.sink != nullptr) inner.threads = 1;  // a sink is called from one thread
+  std::array<cv::Mat, 2> dark;                     // further, closer
   std::vector<Status> status(2 * lasers->size());
+  ParallelFor(inner, 0, 2, [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    Result<cv::Mat> image = series.Read(LaserBgName(i == 0 ? Distance::kFurther : Distance::kCloser));
+    if (image.ok()) {
+      dark[k] = std::move(*image);
+    } else {
+      status[k] = image.error();
+    }
+  });
+  for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);
   ParallelFor(inner, 0, static_cast<std::int64_t>(status.size()), [&](std::int64_t i) {
     LaserCalibration& laser = (*lasers)[static_cast<std::size_t>(i / 2)];
     const Distance distance = i % 2 == 0 ? Distance::kFurther : Distance::kCloser;
     if (context.IsCancelled()) return;
     const auto known = camera.corners_of.find(LaserChessName(laser.laser, distance));
-    Result<PlaneStripes> seen =
-        ObserveStripes(series, camera.camera, laser.laser, distance, options.spacing, inner,
-                       known == camera.corners_of.end() ? nullptr : &known->second);
+    Result<PlaneStripes> seen = ObserveStripes(
+        series, camera.camera, laser.laser, distance, options.spacing, inner,
+        known == camera.corners_of.end() ? nullptr : &known->second, dark[static_cast<std::size_t>(i % 2)]);
     if (!seen.ok()) {
       status[static_cast<std::size_t>(i)] = seen.error();
     } else {
@@ -61,11 +73,7 @@ Status ObserveAll(const CalibrationSeries& series, const CameraCalibration& came
 }
 
 // The stripe closest to the first estimate is the central one (§3.2, "Laser central stripes").
-Status FindCentralStripes(const CalibrationSeries& series, const Camera& camera,
-                          const FirstEstimatesOptions& options, const Context& context,
-                          ClassicCalibration* out) {
-  DORSUM_ASSIGN_OR_RETURN(const std::vector<double> drawn,
-                          FindFirstEstimates(series, camera, options, context));
+void FindCentralStripes(const Camera& camera, const std::vector<double>& drawn, ClassicCalibration* out) {
   std::map<int, double> brightest;
   for (const LaserCalibration& laser : out->lasers) {
     brightest[laser.laser] =
@@ -91,7 +99,6 @@ Status FindCentralStripes(const CalibrationSeries& series, const Camera& camera,
                               "its drawn line; the drawn line decides");
     }
   }
-  return {};
 }
 
 Status ModelBackgrounds(const CalibrationSeries& series, const BackgroundModelOptions& options,
@@ -157,19 +164,21 @@ void Judge(double calibration_height_mm, LaserCalibration* laser) {
 // central stripe (DESIGN §2).
 Result<ClassicCalibration> CalibrateLasers(const CalibrationSeries& series, const CameraCalibration& camera,
                                            bool align, const ClassicCalibrationOptions& options,
-                                           const Context& context) {
+                                           const Context& context, std::optional<DrawnLines> drawn) {
   ClassicCalibration out;
   out.camera = camera;
   for (const int k : series.lasers) out.lasers.emplace_back().laser = k;
   DORSUM_RETURN_IF_ERROR(ObserveAll(series, out.camera, options, context, &out.lasers));
+  if (!drawn) {
+    DORSUM_ASSIGN_OR_RETURN(drawn, FindDrawnLines(series, options.first_estimates, context));
+  }
 
   // Two passes: the first finds the direction of the central stripe; the second works in that world.
   for (int pass = align ? 0 : 1; pass < 2; ++pass) {
     DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
     context.Report("background stripes", 0.5 * pass);
     out.warnings = out.camera.warnings;
-    DORSUM_RETURN_IF_ERROR(
-        FindCentralStripes(series, out.camera.camera, options.first_estimates, context, &out));
+    FindCentralStripes(out.camera.camera, PlacesOfLines(*drawn, out.camera.camera), &out);
     DORSUM_RETURN_IF_ERROR(ModelBackgrounds(series, options.background, context, &out));
     const auto one =
         std::find_if(out.lasers.begin(), out.lasers.end(), [](const auto& l) { return l.laser == 1; });
@@ -206,14 +215,14 @@ Result<ClassicCalibration> CalibrateClassic(const CalibrationSeries& series,
                                             const Context& context) {
   context.Report("chessboards", 0.0);
   DORSUM_ASSIGN_OR_RETURN(const CameraCalibration camera, CalibrateCamera(series, options.camera, context));
-  return CalibrateLasers(series, camera, true, options, context);
+  return CalibrateLasers(series, camera, true, options, context, {});
 }
 
 Result<ClassicCalibration> CalibrateClassicLasers(const CalibrationSeries& series,
                                                   const CameraCalibration& camera,
                                                   const ClassicCalibrationOptions& options,
-                                                  const Context& context) {
-  return CalibrateLasers(series, camera, false, options, context);
+                                                  const Context& context, std::optional<DrawnLines> drawn) {
+  return CalibrateLasers(series, camera, false, options, context, std::move(drawn));
 }
 
 }  // namespace dorsum

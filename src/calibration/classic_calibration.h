@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,9 +50,11 @@ Result<ClassicCalibration> CalibrateClassic(const CalibrationSeries& series,
                                             const ClassicCalibrationOptions& options, const Context& context);
 
 // The same for a camera whose world is aligned already, as the bundle leaves it: the camera stays as it is.
+// `drawn`, if they were looked for before, are the lines of laserFirstEstimates.
 Result<ClassicCalibration> CalibrateClassicLasers(const CalibrationSeries& series,
                                                   const CameraCalibration& camera,
                                                   const ClassicCalibrationOptions& options,
-                                                  const Context& context);
+                                                  const Context& context,
+                                                  std::optional<DrawnLines> drawn = std::nullopt);
 
 }  // namespace dorsum

@@ -6,33 +6,36 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "captures/green_channel.h"
 #include "captures/names.h"
 #include "imaging/iterative_threshold.h"
 #include "imaging/stage_sink.h"
 
 namespace dorsum {
 
-Result<std::vector<double>> FindFirstEstimates(const CalibrationSeries& series, const Camera& camera,
-                                               const FirstEstimatesOptions& options, const Context& context) {
-  DORSUM_ASSIGN_OR_RETURN(const cv::Mat lines_image, series.Read(kFirstEstimatesName));
-  DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, series.Read(kBgNoHandName));
+Result<DrawnLines> FindDrawnLines(const CalibrationSeries& series, const FirstEstimatesOptions& options,
+                                  const Context& context) {
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat lines_image, series.Read(kFirstEstimatesName, Channels::kGreen));
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, series.Read(kBgNoHandName, Channels::kGreen));
   cv::Mat darker, mask;
-  cv::subtract(GreenChannel(background), GreenChannel(lines_image), darker);
+  cv::subtract(background, lines_image, darker);
   cv::threshold(darker, mask, std::max(8.0, IterativeThreshold(darker)), 255, cv::THRESH_BINARY);
   Sink(context, "calibration/firstEstimates", mask);
-  const std::vector<VerticalLine> lines = FindVerticalLines(mask, {}, options.lines);
-  std::vector<double> xs;
-  for (const VerticalLine& line : lines) {
-    // Where the line crosses y = 0: the row in which that happens is close to the row of the origin.
-    const Eigen::Vector2d origin = Project(camera, Eigen::Vector3d::Zero());
-    const double u = line.at + line.slope * (origin.y() - 0.5 * (mask.rows - 1));
-    const Ray ray = CastRay(camera, {u, origin.y()});
-    if (const auto t = Intersect(ray, Plane{})) xs.push_back(ray.At(*t).x());
-  }
-  if (xs.empty()) {
+  DrawnLines drawn{FindVerticalLines(mask, {}, options.lines), mask.rows};
+  if (drawn.lines.empty()) {
     return BadInput(
         "no drawn lines are seen in laserFirstEstimates; capture the laser calibration plane again");
+  }
+  return drawn;
+}
+
+std::vector<double> PlacesOfLines(const DrawnLines& drawn, const Camera& camera) {
+  std::vector<double> xs;
+  for (const VerticalLine& line : drawn.lines) {
+    // The row in which that happens is close to the row of the origin.
+    const Eigen::Vector2d origin = Project(camera, Eigen::Vector3d::Zero());
+    const double u = line.at + line.slope * (origin.y() - 0.5 * (drawn.rows - 1));
+    const Ray ray = CastRay(camera, {u, origin.y()});
+    if (const auto t = Intersect(ray, Plane{})) xs.push_back(ray.At(*t).x());
   }
   std::sort(xs.begin(), xs.end());
   return xs;

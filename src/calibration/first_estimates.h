@@ -20,10 +20,19 @@ struct FirstEstimatesOptions {
       .max_tilt_deg = 20.0, .min_length_share = 0.25, .max_gap_px = 12.0, .merge_px = 12.0};
 };
 
-// The dark lines that are drawn on the laser calibration plane (§3.2), found in laserFirstEstimates against
-// bgNoHand: their world x (mm) on the backplane at y = 0, growing.
-Result<std::vector<double>> FindFirstEstimates(const CalibrationSeries& series, const Camera& camera,
-                                               const FirstEstimatesOptions& options, const Context& context);
+// The lines of laserFirstEstimates as they are seen, nearly vertical, by growing column.
+struct DrawnLines {
+  std::vector<VerticalLine> lines;  // px
+  int rows = 0;                     // of the picture
+};
+
+// Looks for the drawn lines of §3.2 ("Laser central stripes"), dark on the backplane. An error when there are
+// none.
+Result<DrawnLines> FindDrawnLines(const CalibrationSeries& series, const FirstEstimatesOptions& options,
+                                  const Context& context);
+
+// Where they cross y = 0 on the backplane: world x, mm, ascending.
+std::vector<double> PlacesOfLines(const DrawnLines& drawn, const Camera& camera);
 
 // Gives each laser its line: the one at its brightest stripe, the closest pairs first, so that a laser whose
 // brightest stripe is not its central one gets the line that is left. Lasers that lean may cross. `brightest`

@@ -72,17 +72,18 @@ class FirstEstimatesTest : public ::testing::Test {
 
 TEST_F(FirstEstimatesTest, DrawnLinesAreFoundInMillimetres) {
   Write("laserFirstEstimates", {-90.0, -30.0, 30.0, 90.0});
-  const auto xs = FindFirstEstimates(series_, camera_, {}, {});
-  ASSERT_TRUE(xs.ok()) << xs.error().message;
-  ASSERT_EQ(xs->size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR((*xs)[i], -90.0 + 60.0 * static_cast<double>(i), 1.0);
+  const auto drawn = FindDrawnLines(series_, {}, {});
+  ASSERT_TRUE(drawn.ok()) << drawn.error().message;
+  const std::vector<double> xs = PlacesOfLines(*drawn, camera_);
+  ASSERT_EQ(xs.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(xs[i], -90.0 + 60.0 * static_cast<double>(i), 1.0);
 }
 
 TEST_F(FirstEstimatesTest, NoLinesAreNamed) {
   Write("laserFirstEstimates", {});
-  const auto xs = FindFirstEstimates(series_, camera_, {}, {});
-  ASSERT_FALSE(xs.ok());
-  EXPECT_THAT(xs.error().message, HasSubstr("laserFirstEstimates"));
+  const auto drawn = FindDrawnLines(series_, {}, {});
+  ASSERT_FALSE(drawn.ok());
+  EXPECT_THAT(drawn.error().message, HasSubstr("laserFirstEstimates"));
 }
 
 }  // namespace

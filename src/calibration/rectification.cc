@@ -19,6 +19,12 @@ Eigen::Vector2d UndistortPixel(const Camera& camera, const Eigen::Vector2d& pixe
   return {n.x() * camera.fx + camera.cx, n.y() * camera.fy + camera.cy};
 }
 
+Eigen::Vector2d DistortedPixel(const Camera& camera, const Eigen::Vector2d& p) {
+  const Eigen::Vector2d d =
+      Distort(camera, {(p.x() - camera.cx) / camera.fx, (p.y() - camera.cy) / camera.fy});
+  return {d.x() * camera.fx + camera.cx, d.y() * camera.fy + camera.cy};
+}
+
 Eigen::Vector2d Apply(const cv::Matx33d& h, const Eigen::Vector2d& p) {
   const cv::Vec3d q = h * cv::Vec3d(p.x(), p.y(), 1.0);
   return {q[0] / q[2], q[1] / q[2]};
@@ -72,10 +78,7 @@ Eigen::Vector2d PlaneFromPixel(const Camera& camera, const Rectification& r, con
 }
 
 Eigen::Vector2d PixelFromPlane(const Camera& camera, const Rectification& r, const Eigen::Vector2d& mm) {
-  const Eigen::Vector2d p = Apply(r.plane_from_image.inv(), mm);
-  const Eigen::Vector2d d =
-      Distort(camera, {(p.x() - camera.cx) / camera.fx, (p.y() - camera.cy) / camera.fy});
-  return {d.x() * camera.fx + camera.cx, d.y() * camera.fy + camera.cy};
+  return DistortedPixel(camera, Apply(r.plane_from_image.inv(), mm));
 }
 
 cv::Mat WarpToPlane(const cv::Mat& image, const Camera& camera, const Rectification& r) {
@@ -83,11 +86,12 @@ cv::Mat WarpToPlane(const cv::Mat& image, const Camera& camera, const Rectificat
   constexpr double kLargest = 8000.0;
   const cv::Size size(static_cast<int>(std::clamp(r.area_mm.width * r.px_per_mm, 1.0, kLargest)),
                       static_cast<int>(std::clamp(r.area_mm.height * r.px_per_mm, 1.0, kLargest)));
+  const cv::Matx33d image_from_plane = r.plane_from_image.inv();
   cv::Mat map(size, CV_32FC2);
   for (int j = 0; j < size.height; ++j) {
     for (int i = 0; i < size.width; ++i) {
-      const Eigen::Vector2d p =
-          PixelFromPlane(camera, r, {r.area_mm.x + i / r.px_per_mm, r.area_mm.y + j / r.px_per_mm});
+      const Eigen::Vector2d mm(r.area_mm.x + i / r.px_per_mm, r.area_mm.y + j / r.px_per_mm);
+      const Eigen::Vector2d p = DistortedPixel(camera, Apply(image_from_plane, mm));
       map.at<cv::Vec2f>(j, i) = {static_cast<float>(p.x()), static_cast<float>(p.y())};
     }
   }

@@ -52,7 +52,7 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
   ParallelFor(context, 0, static_cast<std::int64_t>(pictures.size()), [&](std::int64_t i) {
     SheetPicture& picture = pictures[static_cast<std::size_t>(i)];
     if (context.IsCancelled()) return;
-    const Result<cv::Mat> image = series.Read(picture.name);
+    const Result<cv::Mat> image = series.Read(picture.name, Channels::kGreen);
     if (!image.ok()) {
       status[static_cast<std::size_t>(i)] = image.error();
       return;
@@ -67,8 +67,8 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
     quiet.sink = nullptr;
     quiet.threads = 1;
     const int laser = series.lasers[static_cast<std::size_t>(picture.laser)];
-    picture.stripes = PoolAlongStripes(FindRidges(GreenChannel(*image), {}, laser, options.ridge, quiet),
-                                       options.pooling, quiet);
+    picture.stripes =
+        PoolAlongStripes(FindRidges(*image, {}, laser, options.ridge, quiet), options.pooling, quiet);
   });
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);

@@ -49,7 +49,8 @@ cv::Mat DrawSpacings(const cv::Mat& strip, const PlaneStripes& stripes) {
 
 Result<PlaneStripes> ObserveStripes(const CalibrationSeries& series, const Camera& camera, int laser,
                                     Distance distance, const StripeSpacingOptions& options,
-                                    const Context& context, const std::vector<cv::Point2f>* known_corners) {
+                                    const Context& context, const std::vector<cv::Point2f>* known_corners,
+                                    cv::Mat dark) {
   PlaneStripes out;
   const std::string name = LaserCalName(laser, distance), chess_name = LaserChessName(laser, distance);
   const cv::Size inner(series.setup.board_columns, series.setup.board_rows);
@@ -57,8 +58,8 @@ Result<PlaneStripes> ObserveStripes(const CalibrationSeries& series, const Camer
   if (known_corners != nullptr) {
     corners = *known_corners;
   } else {
-    DORSUM_ASSIGN_OR_RETURN(const cv::Mat chess, series.Read(chess_name));
-    corners = FindChessboard(GreenChannel(chess), inner);
+    DORSUM_ASSIGN_OR_RETURN(const cv::Mat chess, series.Read(chess_name, Channels::kGreen));
+    corners = FindChessboard(chess, inner);
   }
   if (!corners) {
     return BadInput("no chessboard of " + std::to_string(inner.width) + "x" + std::to_string(inner.height) +
@@ -70,7 +71,9 @@ Result<PlaneStripes> ObserveStripes(const CalibrationSeries& series, const Camer
   strip.area_mm.height = 2.0 * options.band_mm;
 
   DORSUM_ASSIGN_OR_RETURN(const cv::Mat lit, series.Read(name));
-  DORSUM_ASSIGN_OR_RETURN(const cv::Mat dark, series.Read(LaserBgName(distance)));
+  if (dark.empty()) {
+    DORSUM_ASSIGN_OR_RETURN(dark, series.Read(LaserBgName(distance)));
+  }
   cv::Mat stripes;
   cv::subtract(lit, dark, stripes);
   const cv::Mat flat = WarpToPlane(stripes, camera, strip);

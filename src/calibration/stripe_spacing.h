@@ -33,11 +33,13 @@ struct PlaneStripes {
 
 // Observes one laser at one distance (§3.2 "Calibration images preprocessing", "Grating position
 // estimation"): homography from the …Chess image, inverse perspective, background subtraction, stripe
-// masking, line detection. `known_corners`: those of the …Chess image, if they were found before.
+// masking, line detection. `known_corners`: those of the …Chess image, if they were found before; `dark`: the
+// distance's …Bg image (BGR), if it was read before.
 Result<PlaneStripes> ObserveStripes(const CalibrationSeries& series, const Camera& camera, int laser,
                                     Distance distance, const StripeSpacingOptions& options,
                                     const Context& context,
-                                    const std::vector<cv::Point2f>* known_corners = nullptr);
+                                    const std::vector<cv::Point2f>* known_corners = nullptr,
+                                    cv::Mat dark = {});
 
 // Mean distance between neighbouring stripes, mm, over orders from..to counted from the central stripe.
 double MeanSpacing(const PlaneStripes& stripes, int from, int to);

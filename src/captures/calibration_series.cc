@@ -16,9 +16,9 @@ std::vector<std::string> NamesOfLaser(int k) {
 
 }  // namespace
 
-Result<cv::Mat> CalibrationSeries::Read(const std::string& name) const {
+Result<cv::Mat> CalibrationSeries::Read(const std::string& name, Channels channels) const {
   DORSUM_ASSIGN_OR_RETURN(const auto path, RequireImage(dir, name));
-  return ReadImage(path, cv::Size(setup.width, setup.height));
+  return ReadImage(path, cv::Size(setup.width, setup.height), channels);
 }
 
 std::filesystem::path CalibrationSeries::BoxDir(double height_mm) const {

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "base/result.h"
+#include "captures/jpeg_image.h"
 #include "captures/setup.h"
 
 namespace dorsum {
@@ -21,8 +22,8 @@ struct CalibrationSeries {
   std::vector<double> box_heights_mm;    // those of setup.json whose folder is there
   std::vector<std::string> warnings;     // one sentence each
 
-  // An image of the series, BGR, of the resolution that setup.json says.
-  Result<cv::Mat> Read(const std::string& name) const;
+  // An image of the series, of the resolution that setup.json says.
+  Result<cv::Mat> Read(const std::string& name, Channels channels = Channels::kBgr) const;
   std::filesystem::path BoxDir(double height_mm) const;
   // Every file of the series that exists, for the record of what a calibration was made from.
   std::vector<std::filesystem::path> Files() const;

@@ -110,11 +110,12 @@ TEST_F(BoardTest, CalibrationFindsThePrintedLinesAndNothingElse) {
   series.setup.height = photo.rows;
   ASSERT_TRUE(cv::imwrite(dir_ / "laserFirstEstimates.png", photo));
   ASSERT_TRUE(cv::imwrite(dir_ / "bgNoHand.png", Render(std::move(empty))));
-  const auto found = FindFirstEstimates(series, device_.camera, {}, {});
-  ASSERT_TRUE(found.ok()) << found.error().message;
+  const auto drawn = FindDrawnLines(series, {}, {});
+  ASSERT_TRUE(drawn.ok()) << drawn.error().message;
+  const std::vector<double> found = PlacesOfLines(*drawn, device_.camera);
   // A pixel is 0.55 mm here.
-  ASSERT_EQ(found->size(), truth.size()) << "words or rulers were taken for lines, or lines were missed";
-  for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_NEAR((*found)[k], truth[k], 0.8);
+  ASSERT_EQ(found.size(), truth.size()) << "words or rulers were taken for lines, or lines were missed";
+  for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_NEAR(found[k], truth[k], 0.8);
 }
 
 TEST_F(BoardTest, OneFileOrAFolderAndTheSameBytesEachTime) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,9 +21,9 @@ namespace {
 
 // The classic chain for all lasers together, or, where one of them defeats it, for each alone.
 ClassicCalibration ClassicBeside(const CalibrationSeries& series, const CameraCalibration& camera,
-                                 const CalibrateOptions& options, const Context& context,
-                                 std::vector<std::string>* warnings) {
-  Result<ClassicCalibration> all = CalibrateClassicLasers(series, camera, options.classic, context);
+                                 const std::optional<DrawnLines>& drawn, const CalibrateOptions& options,
+                                 const Context& context, std::vector<std::string>* warnings) {
+  Result<ClassicCalibration> all = CalibrateClassicLasers(series, camera, options.classic, context, drawn);
   if (all.ok()) return std::move(*all);
   ClassicCalibration out;
   out.camera = camera;
@@ -31,7 +32,7 @@ ClassicCalibration ClassicBeside(const CalibrationSeries& series, const CameraCa
     if (context.IsCancelled()) break;
     CalibrationSeries one = series;
     one.lasers = {laser};
-    Result<ClassicCalibration> alone = CalibrateClassicLasers(one, camera, options.classic, context);
+    Result<ClassicCalibration> alone = CalibrateClassicLasers(one, camera, options.classic, context, drawn);
     if (!alone.ok()) {
       warnings->push_back("the document's method finds no sheets for laser " + std::to_string(laser) + " (" +
                           alone.error().message + "); only cone sheets are there for it");
@@ -80,7 +81,7 @@ Status CheckOthers(const CalibrationSeries& series, const Context& context,
   std::vector<Status> status(names.size());
   ParallelFor(context, 0, static_cast<std::int64_t>(names.size()), [&](std::int64_t i) {
     const auto k = static_cast<std::size_t>(i);
-    const Result<cv::Mat> image = series.Read(names[k]);
+    const Result<cv::Mat> image = series.Read(names[k], Channels::kGreen);
     status[k] = !image.ok()      ? Status(image.error())
                 : k >= first_lit ? CheckExposure(*image, (series.dir / names[k]).string())
                                  : Status();
@@ -94,12 +95,10 @@ Status CheckOthers(const CalibrationSeries& series, const Context& context,
 Status CalibrateByBundle(const CalibrationSeries& series, const CalibrateOptions& options,
                          const Context& context, CalibrationRun* run) {
   DORSUM_RETURN_IF_ERROR(CheckOthers(series, context, &run->calibration.warnings));
-  context.Report("chessboards", 0.0);
-  DORSUM_ASSIGN_OR_RETURN(const CameraCalibration camera,
-                          CalibrateCamera(series, options.classic.camera, context));
-  DORSUM_ASSIGN_OR_RETURN(BundleCalibration bundle, CalibrateBundle(series, camera, options.bundle, context));
+  DORSUM_ASSIGN_OR_RETURN(BundleCalibration bundle,
+                          CalibrateBundle(series, options.classic.camera, options.bundle, context));
   Calibration& c = run->calibration;
-  CameraCalibration refined = camera;
+  CameraCalibration refined = bundle.start;
   refined.camera = bundle.device.camera;
   refined.view_rms_px = bundle.view_rms_px;
   for (const BoardView& board : bundle.data.boards) {
@@ -107,9 +106,9 @@ Status CalibrateByBundle(const CalibrationSeries& series, const CalibrateOptions
     for (const Eigen::Vector2d& at : board.corners)
       corners.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
   }
-  c.warnings.insert(c.warnings.end(), camera.warnings.begin(), camera.warnings.end());
+  c.warnings.insert(c.warnings.end(), bundle.start.warnings.begin(), bundle.start.warnings.end());
   c.warnings.insert(c.warnings.end(), bundle.warnings.begin(), bundle.warnings.end());
-  run->classic = ClassicBeside(series, refined, options, context, &c.warnings);
+  run->classic = ClassicBeside(series, refined, bundle.drawn, options, context, &c.warnings);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   c.device = bundle.device;
   for (LaserGeometry& laser : c.device.lasers) {

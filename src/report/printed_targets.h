@@ -27,7 +27,7 @@ struct CentralLine {
 };
 
 // The plane with one line per laser, 1 mm wide. All else on it is light grey, and its rulers have no unbroken
-// row of marks, so that FindFirstEstimates sees nothing but the lines.
+// row of marks, so that FindDrawnLines sees nothing but the lines.
 PrintedSheet FirstEstimatesTarget(const std::string& device, const std::vector<CentralLine>& lines,
                                   double length_mm);
 
