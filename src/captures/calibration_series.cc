@@ -2,7 +2,10 @@
 #include "captures/calibration_series.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
+#include "captures/green_channel.h"
 #include "captures/image_file.h"
 #include "captures/names.h"
 
@@ -17,8 +20,30 @@ std::vector<std::string> NamesOfLaser(int k) {
 }  // namespace
 
 Result<cv::Mat> CalibrationSeries::Read(const std::string& name, Channels channels) const {
+  const auto in_channels = [channels](const cv::Mat& picture) {
+    return channels == Channels::kGreen ? GreenChannel(picture) : picture;
+  };
+  const bool keep = kept != nullptr && kept->Wants(name);
+  if (keep) {
+    if (const auto picture = kept->Find(name)) return in_channels(*picture);
+  }
   DORSUM_ASSIGN_OR_RETURN(const auto path, RequireImage(dir, name));
-  return ReadImage(path, cv::Size(setup.width, setup.height), channels);
+  const cv::Size size(setup.width, setup.height);
+  if (!keep) return ReadImage(path, size, channels);
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat picture, ReadImage(path, size));
+  kept->Put(name, picture);
+  return in_channels(picture);
+}
+
+CalibrationSeries CalibrationSeries::KeepingPictures() const {
+  std::set<std::string> names = {kBgNoHandName, kFirstEstimatesName, LaserBgName(Distance::kFurther),
+                                 LaserBgName(Distance::kCloser)};
+  for (const int k : lasers) {
+    names.insert({LaserCalName(k, Distance::kFurther), LaserCalName(k, Distance::kCloser), StripesBgName(k)});
+  }
+  CalibrationSeries out = *this;
+  out.kept = std::make_shared<KeptPictures>(std::move(names));
+  return out;
 }
 
 std::filesystem::path CalibrationSeries::BoxDir(double height_mm) const {

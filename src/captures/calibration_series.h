@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "base/result.h"
 #include "captures/jpeg_image.h"
+#include "captures/kept_pictures.h"
 #include "captures/setup.h"
 
 namespace dorsum {
@@ -21,6 +23,11 @@ struct CalibrationSeries {
   std::vector<std::string> chess_views;  // names of the chessboard views present
   std::vector<double> box_heights_mm;    // those of setup.json whose folder is there
   std::vector<std::string> warnings;     // one sentence each
+  std::shared_ptr<KeptPictures> kept;    // null: none
+
+  // The same series, which decodes only once what both methods of calibration look at. What Read() gives is
+  // then shared: nobody may write to it.
+  CalibrationSeries KeepingPictures() const;
 
   // An image of the series, of the resolution that setup.json says.
   Result<cv::Mat> Read(const std::string& name, Channels channels = Channels::kBgr) const;

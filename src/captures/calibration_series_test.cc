@@ -71,6 +71,16 @@ TEST_F(CalibrationSeriesTest, ACompleteFolderHasNoWarning) {
   EXPECT_TRUE(std::is_sorted(files.begin(), files.end()));
 }
 
+TEST_F(CalibrationSeriesTest, WhatIsLookedAtTwiceIsDecodedOnce) {
+  const CalibrationSeries series = LoadCalibrationSeries(folder_.path()).value().KeepingPictures();
+  const cv::Mat first = series.Read("stripesBg2").value();
+  EXPECT_EQ(series.Read("stripesBg2").value().data, first.data);
+  const cv::Mat green = series.Read("stripesBg2", Channels::kGreen).value();
+  ASSERT_EQ(green.type(), CV_8UC1);
+  EXPECT_EQ(green.at<std::uint8_t>(5, 5), first.at<cv::Vec3b>(5, 5)[1]);
+  EXPECT_NE(series.Read("chess00").value().data, series.Read("chess00").value().data);
+}
+
 TEST_F(CalibrationSeriesTest, EachIndispensableFileIsNamed) {
   for (const char* name : {"laserFirstEstimates", "bgNoHand", "laserCalFurtherBg", "laserCalCloserBg",
                            "chess00", "heights/h27.0/bgHand"}) {

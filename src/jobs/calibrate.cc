@@ -150,8 +150,9 @@ Status CheckTarget(const std::filesystem::path& out) {
 
 }  // namespace
 
-Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,
+Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& folder, const CalibrateOptions& options,
                                        const Context& context) {
+  const CalibrationSeries series = folder.KeepingPictures();
   CalibrationRun run;
   DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, series.Read(kBgNoHandName));
   DORSUM_RETURN_IF_ERROR(CheckExposure(background, (series.dir / kBgNoHandName).string()));

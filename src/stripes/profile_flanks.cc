@@ -21,8 +21,8 @@ constexpr int kUnit = 256;  // of a grey value
 // Adds `sign` times the grey values of one row around u, between pixels.
 void AddProfile(const std::uint8_t* row, int cols, double u, int sign, Sums* sum) {
   const double base = std::floor(u);
-  const auto right = sign * static_cast<std::int32_t>(std::lround(kUnit * (u - base)));
-  const std::int32_t left = sign * kUnit - right;
+  const auto right = static_cast<std::uint16_t>(kUnit * (u - base) + 0.5);
+  const auto left = static_cast<std::uint16_t>(kUnit - right);
   const int first = static_cast<int>(base) - kReach;
   std::array<std::uint8_t, kColumns + 1> clamped;
   const std::uint8_t* from = clamped.data();
@@ -33,12 +33,16 @@ void AddProfile(const std::uint8_t* row, int cols, double u, int sign, Sums* sum
       clamped[static_cast<std::size_t>(i)] = row[std::clamp(first + i, 0, cols - 1)];
     }
   }
-  for (std::size_t i = 0; i < kColumns; ++i) (*sum)[i] += left * from[i] + right * from[i + 1];
+  std::array<std::uint16_t, kColumns> shifted;  // 256 times 255 at most
+  for (std::size_t i = 0; i < kColumns; ++i)
+    shifted[i] = static_cast<std::uint16_t>(left * from[i] + right * from[i + 1]);
+  for (std::size_t i = 0; i < kColumns; ++i) (*sum)[i] += sign * shifted[i];
 }
 
-double FallToHalf(const Sums& sum, int peak, int step) {
-  const auto at = [&](int i) { return sum[static_cast<std::size_t>(peak + step * i)]; };
-  const int reach = std::min(kReach, step < 0 ? peak : static_cast<int>(kColumns) - 1 - peak);
+template <int kStep>
+double FallToHalf(const Sums& sum, int peak) {
+  const auto at = [&](int i) { return sum[static_cast<std::size_t>(peak + kStep * i)]; };
+  const int reach = std::min(kReach, kStep < 0 ? peak : static_cast<int>(kColumns) - 1 - peak);
   // The background beside a stripe's foot, no further away than the next stripe's valley.
   std::int32_t low = at(0);
   for (int i = 1; i <= reach; ++i) low = std::min(low, at(i));
@@ -58,8 +62,8 @@ ProfileFlanks FlanksOf(const Sums& sum) {
   const double shift = curve < 0.0 ? std::clamp(0.5 * (before - after) / curve, -0.5, 0.5) : 0.0;
   ProfileFlanks flanks;
   flanks.peak = static_cast<double>(peak) - kReach + shift;
-  flanks.left = FallToHalf(sum, static_cast<int>(peak), -1) + shift;
-  flanks.right = FallToHalf(sum, static_cast<int>(peak), 1) - shift;
+  flanks.left = FallToHalf<-1>(sum, static_cast<int>(peak)) + shift;
+  flanks.right = FallToHalf<1>(sum, static_cast<int>(peak)) - shift;
   return flanks;
 }
 

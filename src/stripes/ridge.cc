@@ -43,8 +43,9 @@ void MeasureRows(const cv::Mat& green, const std::vector<std::vector<RidgeCandid
       p.width = static_cast<float>(fit.width);
       points.push_back(p);
     }
-    std::stable_sort(points.begin(), points.end(),
-                     [](const StripePoint& p, const StripePoint& q) { return p.u < q.u; });
+    const auto before = [](const StripePoint& p, const StripePoint& q) { return p.u < q.u; };
+    if (!std::is_sorted(points.begin(), points.end(), before))
+      std::stable_sort(points.begin(), points.end(), before);
   }
 }
 

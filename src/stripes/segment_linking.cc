@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 
 #include "stripes/append_segment.h"
 
@@ -68,8 +69,9 @@ void PairsOfRow(const std::vector<Track>& tracks, const std::vector<StripePoint>
       pairs->push_back({distance, t, static_cast<std::size_t>(it - points.begin())});
     }
   }
-  std::stable_sort(pairs->begin(), pairs->end(),
-                   [](const Pair& p, const Pair& q) { return p.distance < q.distance; });
+  std::sort(pairs->begin(), pairs->end(), [](const Pair& p, const Pair& q) {
+    return std::tie(p.distance, p.track, p.point) < std::tie(q.distance, q.track, q.point);
+  });
 }
 
 }  // namespace
