@@ -14,7 +14,7 @@ namespace dorsum {
 class PicturePool : public cv::MatAllocator {
  public:
   // Beyond `most_bytes` of unused memory, what was not used for longest is freed.
-  explicit PicturePool(std::size_t most_bytes = std::size_t{64} << 20) : most_(most_bytes) {}
+  explicit PicturePool(std::size_t most_bytes = std::size_t{128} << 20) : most_(most_bytes) {}
   ~PicturePool() override;
   PicturePool(const PicturePool&) = delete;
   PicturePool& operator=(const PicturePool&) = delete;
