@@ -20,7 +20,7 @@ struct Here {
 // By image row, from 0 on.
 using Rows = std::vector<std::vector<Here>>;
 
-Rows SortIntoRows(const std::vector<JointPiece>& pieces) {
+Rows SortIntoRows(const std::vector<JointPiece>& pieces, const Context& context) {
   Rows rows;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t s = 0; s < pieces[i].samples.size(); ++s) {
@@ -29,10 +29,11 @@ Rows SortIntoRows(const std::vector<JointPiece>& pieces) {
       rows[v].push_back({pieces[i].samples[s].u, static_cast<int>(i), static_cast<int>(s)});
     }
   }
-  for (std::vector<Here>& row : rows) {
+  ParallelFor(context, 0, static_cast<std::int64_t>(rows.size()), [&](std::int64_t v) {
+    std::vector<Here>& row = rows[static_cast<std::size_t>(v)];
     std::sort(row.begin(), row.end(),
               [](const Here& a, const Here& b) { return std::pair(a.u, a.piece) < std::pair(b.u, b.piece); });
-  }
+  });
   return rows;
 }
 
@@ -289,7 +290,7 @@ JointGraph BuildJointGraph(const std::vector<JointPiece>& pieces, int sample_row
     graph.observations[k] = n;
     graph.unary[k] = UnaryCosts(p, min_height_mm, max_height_mm, n, options);
   });
-  const Rows rows = SortIntoRows(pieces);
+  const Rows rows = SortIntoRows(pieces, context);
   // Bands of rows, and parts of the pieces, side by side; always as many, so that sums come out the same.
   constexpr std::size_t kBands = 4;
   std::vector<Builder> bands(kBands, Builder(pieces, options));

@@ -16,23 +16,34 @@
 namespace dorsum {
 namespace {
 
-// Sorts what comes in few stretches that are sorted already.
-template <class T, class Before>
-void SortStretches(const Before& before, std::vector<T>* all) {
+// A point of a stripe.
+struct StripePlace {
+  std::uint64_t stripe;
+  float v;
+  std::uint32_t point;
+
+  friend bool operator<(const StripePlace& a, const StripePlace& b) {
+    return std::tie(a.stripe, a.v, a.point) < std::tie(b.stripe, b.v, b.point);
+  }
+};
+
+// Sorts places of which each stripe's come together, mostly, and in order.
+void SortStripes(std::vector<StripePlace>* all) {
   std::vector<std::pair<std::size_t, std::size_t>> stretches;  // begins and ends
   for (std::size_t i = 0; i < all->size(); ++i) {
-    if (i == 0 || before((*all)[i], (*all)[i - 1])) stretches.emplace_back(i, i);
+    if (i == 0 || (*all)[i].stripe != (*all)[i - 1].stripe || (*all)[i] < (*all)[i - 1])
+      stretches.emplace_back(i, i);
     ++stretches.back().second;
   }
   std::sort(stretches.begin(), stretches.end(),
-            [&](const auto& a, const auto& b) { return before((*all)[a.first], (*all)[b.first]); });
-  std::vector<T> out;
+            [&](const auto& a, const auto& b) { return (*all)[a.first] < (*all)[b.first]; });
+  std::vector<StripePlace> out;
   out.reserve(all->size());
   for (const auto& [begin, end] : stretches) {
     out.insert(out.end(), all->begin() + static_cast<std::ptrdiff_t>(begin),
                all->begin() + static_cast<std::ptrdiff_t>(end));
   }
-  if (!std::is_sorted(out.begin(), out.end(), before)) std::sort(out.begin(), out.end(), before);
+  if (!std::is_sorted(out.begin(), out.end())) std::sort(out.begin(), out.end());
   *all = std::move(out);
 }
 
@@ -41,12 +52,7 @@ void SortStretches(const Before& before, std::vector<T>* all) {
 std::vector<int> CutIntoRuns(const SurfacePoints& points, int* count) {
   constexpr float kMaxGapPx = 6.0F;
   constexpr double kMaxJumpMm = 3.0;
-  struct Place {
-    std::uint64_t stripe;
-    float v;
-    std::uint32_t point;
-  };
-  std::vector<Place> by_stripe;
+  std::vector<StripePlace> by_stripe;
   by_stripe.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
@@ -55,10 +61,7 @@ std::vector<int> CutIntoRuns(const SurfacePoints& points, int* count) {
                              (static_cast<std::uint32_t>(p.segment) + 0x80000000U),
                          p.v, static_cast<std::uint32_t>(i)});
   }
-  const auto before = [](const Place& a, const Place& b) {
-    return std::tie(a.stripe, a.v, a.point) < std::tie(b.stripe, b.v, b.point);
-  };
-  SortStretches(before, &by_stripe);
+  SortStripes(&by_stripe);
   std::vector<int> runs(points.size(), 0);
   int run = -1;
   const SurfacePoint* last = nullptr;
