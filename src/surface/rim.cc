@@ -87,13 +87,17 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
 
   const double reach = options.neighbourhood_mm / options.mm_per_px;
   std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(size.area()));
-  std::vector<float> profiles(samples.size(), 0.0F);
+  std::vector<float> distances(samples.size()), profiles(samples.size(), 0.0F);
+  ParallelFor(context, 0, static_cast<std::int64_t>(samples.size()), [&](std::int64_t i) {
+    const PlateSample& s = samples[static_cast<std::size_t>(i)];
+    distances[static_cast<std::size_t>(i)] = outline.Distance(s.u, s.v);
+  });
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PlateSample& s = samples[i];
     const long c = std::lround((s.u - b.x) / step_px), r = std::lround((s.v - b.y) / step_px);
     if (c < 0 || r < 0 || c >= size.width || r >= size.height) continue;
     if (s.weight <= 0.0F) continue;
-    const float distance = outline.Distance(s.u, s.v);
+    const float distance = distances[i];
     if (distance * options.mm_per_px > options.reach_mm) continue;
     profiles[i] = Profile(distance);
     cells[static_cast<std::size_t>(r * size.width + c)].push_back(static_cast<std::uint32_t>(i));
@@ -123,13 +127,16 @@ Rim::Rim(const std::vector<PlateSample>& samples, const Outline& outline, const 
   // One step of averaging along the outline, weighted with what each place knows.
   // An amplitude is taken as zero as surely as 1 mm of a stripe's points with 0.2 mm of profile would say.
   const double prior = 0.2 / options.mm_per_px;
+  std::array<double, 9> near{};  // by the square of the distance
+  for (std::size_t i = 0; i < near.size(); ++i) near[i] = std::exp(-0.5 * static_cast<double>(i));
   for (int r = 0; r < size.height; ++r) {
     for (int c = 0; c < size.width; ++c) {
       double sum = 0.0, weight = prior;
       for (int y = std::max(0, r - 2); y <= std::min(size.height - 1, r + 2); ++y) {
         for (int x = std::max(0, c - 2); x <= std::min(size.width - 1, c + 2); ++x) {
           const Amplitude& a = found[static_cast<std::size_t>(y * size.width + x)];
-          const double w = a.information * std::exp(-0.5 * ((x - c) * (x - c) + (y - r) * (y - r)));
+          const double w =
+              a.information * near[static_cast<std::size_t>((x - c) * (x - c) + (y - r) * (y - r))];
           sum += w * a.value;
           weight += w;
         }
