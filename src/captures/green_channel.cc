@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "captures/green_channel.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "base/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -42,13 +44,23 @@ void TakeGreen(const std::uint8_t* bgr, std::size_t count, std::uint8_t* green) 
 }
 
 cv::Mat GreenChannel(const cv::Mat& picture) {
+  Context alone;
+  alone.threads = 1;
+  return GreenChannel(picture, alone);
+}
+
+cv::Mat GreenChannel(const cv::Mat& picture, const Context& context) {
   if (picture.type() == CV_8UC1) return picture;
   if (picture.type() != CV_8UC3) throw std::logic_error("GreenChannel: a CV_8UC3 picture is needed");
   cv::Mat green(picture.size(), CV_8UC1);
-  for (int v = 0; v < picture.rows; ++v) {
-    TakeGreen(picture.ptr<std::uint8_t>(v), static_cast<std::size_t>(picture.cols),
-              green.ptr<std::uint8_t>(v));
-  }
+  constexpr int kRowsTogether = 64;
+  ParallelFor(context, 0, (picture.rows + kRowsTogether - 1) / kRowsTogether, [&](std::int64_t block) {
+    const int first = static_cast<int>(block) * kRowsTogether;
+    for (int v = first; v < std::min(picture.rows, first + kRowsTogether); ++v) {
+      TakeGreen(picture.ptr<std::uint8_t>(v), static_cast<std::size_t>(picture.cols),
+                green.ptr<std::uint8_t>(v));
+    }
+  });
   return green;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "imaging/unchanged_part.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <opencv2/imgproc.hpp>
@@ -46,12 +47,17 @@ double UnchangedPart::Share(double share) const {
   return static_cast<double>(kSquare * kSquare * cv::countNonZero(Unchanged(share))) / size_.area();
 }
 
-cv::Mat UnchangedPart::Mask(double share) const {
+cv::Mat UnchangedPart::Mask(double share, const Context& context) const {
   cv::Mat mask(size_, CV_8UC1, cv::Scalar(0));
   if (before_.empty()) return mask;
   const cv::Mat small = Unchanged(share);
-  const cv::Rect whole(0, 0, small.cols * kSquare, small.rows * kSquare);
-  cv::resize(small, mask(whole), whole.size(), 0, 0, cv::INTER_NEAREST);
+  constexpr int kRowsTogether = 32;
+  ParallelFor(context, 0, (small.rows + kRowsTogether - 1) / kRowsTogether, [&](std::int64_t block) {
+    const int first = static_cast<int>(block) * kRowsTogether;
+    const cv::Mat part = small.rowRange(first, std::min(small.rows, first + kRowsTogether));
+    const cv::Rect whole(0, kSquare * first, kSquare * part.cols, kSquare * part.rows);
+    cv::resize(part, mask(whole), whole.size(), 0, 0, cv::INTER_NEAREST);
+  });
   return mask;
 }
 

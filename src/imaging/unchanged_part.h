@@ -18,7 +18,7 @@ class UnchangedPart {
 
   // CV_8UC1 of the pictures' size: 255 where the light is what it was, but for this share of it; 0 in the
   // last columns and rows that fill no square.
-  cv::Mat Mask(double share) const;
+  cv::Mat Mask(double share, const Context& context = {}) const;
 
  private:
   cv::Mat Unchanged(double share) const;  // by square

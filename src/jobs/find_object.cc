@@ -87,7 +87,7 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const ReadyCalibrat
   const bool robust = options.mask == "robust", ridges = options.stripes == "ridge";
   context.Report("mask", 0.0);
   FoundObject out;
-  out.green_hand = GreenChannel(capture.hand);
+  out.green_hand = GreenChannel(capture.hand, context);
   HandMask picture;
   std::optional<UnchangedPart> unchanged;
   if (robust) {

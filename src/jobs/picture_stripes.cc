@@ -71,7 +71,8 @@ class PictureSearch {
           SmoothSegments(ExtractClassicSegments(mask, PictureOf(laser).green, laser, options_.segments),
                          options_.segments.min_rows, options_.smoothing);
     });
-    return unchanged == nullptr ? Status{} : CheckDevice(out_.stripes, unchanged->Mask(kUnchanged), orders_);
+    return unchanged == nullptr ? Status{}
+                                : CheckDevice(out_.stripes, unchanged->Mask(kUnchanged, context_), orders_);
   }
 
   Status FindAllRidges(const UnchangedPart* unchanged) {
@@ -84,7 +85,7 @@ class PictureSearch {
     });
     cv::Mat busy = region_;
     if (unchanged != nullptr) {
-      const cv::Mat same = unchanged->Mask(kUnchanged);
+      const cv::Mat same = unchanged->Mask(kUnchanged, context_);
       std::vector<LaserStripes> surveyed(lasers_.size());
       for (std::size_t i = 0; i < lasers_.size(); ++i) {
         surveyed[i].laser = lasers_[i];
