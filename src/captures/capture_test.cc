@@ -54,6 +54,18 @@ TEST_F(CaptureTest, AWholeCaptureLoadsWithoutWarning) {
   EXPECT_TRUE(capture->warnings.empty());
 }
 
+TEST_F(CaptureTest, StripesMayBeGreenAlone) {
+  const auto capture = LoadCapture(folder_.path(), {}, {0, 1}, {}, Channels::kGreen);
+  ASSERT_TRUE(capture.ok()) << capture.error().message;
+  EXPECT_EQ(capture->hand.type(), CV_8UC3);
+  ASSERT_EQ(capture->stripes[1]->type(), CV_8UC1);
+  EXPECT_EQ(capture->stripes[1]->at<std::uint8_t>(3, 12), 200);
+  WriteUniform("stripesHand1", 0);
+  const auto black = LoadCapture(folder_.path(), {}, {0, 1}, {}, Channels::kGreen);
+  ASSERT_FALSE(black.ok());
+  EXPECT_THAT(black.error().message, AllOf(HasSubstr("stripesHand1"), HasSubstr("black")));
+}
+
 TEST_F(CaptureTest, TheHandAfterIsTakenIfItIsThere) {
   Write("bgHandAfter");
   EXPECT_TRUE(Load().value().hand_after.has_value());

@@ -150,25 +150,25 @@ Status CheckTarget(const std::filesystem::path& out) {
 
 }  // namespace
 
-Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& folder, const CalibrateOptions& options,
+Result<CalibrationRun> CalibrateSeries(const CalibrationSeries& series, const CalibrateOptions& options,
                                        const Context& context) {
-  const CalibrationSeries series = folder.KeepingPictures();
+  const CalibrationSeries kept = series.KeepingPictures();
   CalibrationRun run;
-  DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, series.Read(kBgNoHandName));
-  DORSUM_RETURN_IF_ERROR(CheckExposure(background, (series.dir / kBgNoHandName).string()));
+  DORSUM_ASSIGN_OR_RETURN(const cv::Mat background, kept.Read(kBgNoHandName));
+  DORSUM_RETURN_IF_ERROR(CheckExposure(background, (kept.dir / kBgNoHandName).string()));
   Calibration& c = run.calibration;
   c.method = options.method;
   c.version = kVersion;
-  c.warnings = series.warnings;
+  c.warnings = kept.warnings;
   if (options.method == "classic") {
-    DORSUM_RETURN_IF_ERROR(CalibrateByDocument(series, options, context, &run));
+    DORSUM_RETURN_IF_ERROR(CalibrateByDocument(kept, options, context, &run));
   } else {
-    DORSUM_RETURN_IF_ERROR(CalibrateByBundle(series, options, context, &run));
+    DORSUM_RETURN_IF_ERROR(CalibrateByBundle(kept, options, context, &run));
   }
-  DORSUM_ASSIGN_OR_RETURN(const auto background_path, RequireImage(series.dir, kBgNoHandName));
+  DORSUM_ASSIGN_OR_RETURN(const auto background_path, RequireImage(kept.dir, kBgNoHandName));
   DORSUM_ASSIGN_OR_RETURN(c.background, ReadFile(background_path));
-  DORSUM_RETURN_IF_ERROR(FitCorrections(series, options, context, &run));
-  DORSUM_ASSIGN_OR_RETURN(c.sources, HashFiles(series, context));
+  DORSUM_RETURN_IF_ERROR(FitCorrections(kept, options, context, &run));
+  DORSUM_ASSIGN_OR_RETURN(c.sources, HashFiles(kept, context));
   return run;
 }
 

@@ -13,6 +13,7 @@
 #include "base/json.h"
 #include "base/random.h"
 #include "base/temp_folder_test.h"
+#include "captures/capture.h"
 #include "captures/names.h"
 #include "jobs/reconstruct.h"
 #include "jobs/scan_fixture_test.h"
@@ -172,6 +173,31 @@ TEST(CalibrateTest, ConesNeedNoBoxes) {
   for (const PartReport& part : run->calibration.parts) EXPECT_EQ(part.grade, Grade::kGood) << part.verdict;
   for (const SheetError& e : MeasureSheetError(run->calibration.device, TrueDevice()))
     EXPECT_LT(e.rms_mm, 0.06) << e.laser;
+}
+
+// A box without one laser is a smaller calibration; the hand's picture of it is no part of a bundle, but a
+// bad one tells of a bad copy.
+TEST(CalibrateTest, PicturesOfABoxAreLookedAtOneByOne) {
+  const TempFolder dir;
+  ScanFixture::CopyFolder(ScanFixture::CalibrationDir(), dir / "series");
+  const fs::path box = fs::directory_iterator(dir / "series" / kHeightsFolder)->path();
+  fs::remove(box / (StripesHandName(1) + ".png"));
+  const auto run = CalibrateFolder(dir / "series", dir / "c.json", {}, {});
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  EXPECT_THAT(run->calibration.warnings, ::testing::Contains(MissingStripes(box, 1)));
+  ASSERT_EQ(run->correction.size(), 3U);
+  for (const LaserCorrection& c : run->correction) {
+    EXPECT_GT(c.fit.samples, 50U) << c.laser;
+    EXPECT_LT(c.fit.rms_after_mm, c.fit.rms_before_mm) << c.laser;
+  }
+
+  const fs::path hand = box / (std::string(kBgHandName) + ".png");
+  fs::resize_file(hand, fs::file_size(hand) / 2);
+  const auto cut = CalibrateFolder(dir / "series", dir / "cut.json", {}, {});
+  ASSERT_FALSE(cut.ok());
+  EXPECT_EQ(cut.error().code, ErrorCode::kBadInput);
+  EXPECT_THAT(cut.error().message, ::testing::HasSubstr(hand.string()));
+  EXPECT_FALSE(fs::exists(dir / "cut.json"));
 }
 
 TEST(CalibrateTest, AWrongHeightInSetupIsSaidAndDoesNoHarm) {

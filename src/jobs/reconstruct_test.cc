@@ -112,6 +112,26 @@ TEST(ReconstructTest, SameBytesAtOneAndTwoThreads) {
   }
 }
 
+// With a report, stripes are read in colour; without, their green alone.
+TEST(ReconstructTest, ReportOrNotTheSurfaceIsTheSame) {
+  for (const std::string method : {"default", "classic"}) {
+    SCOPED_TRACE(method);
+    const TempFolder dir;
+    for (const bool report : {true, false}) {
+      ReconstructRequest request =
+          RequestFor(ScanFixture::CaptureDir(ScanFixture::kBox), dir / (report ? "with" : "without"));
+      request.options.method = method;
+      request.report = report;
+      ASSERT_TRUE(ReconstructFolder(request, {}).ok());
+    }
+    for (const char* file : {"points.ply", "surface.ply", "height.tiff", "mask.png"}) {
+      const auto with = ReadFile(dir / "with" / file), without = ReadFile(dir / "without" / file);
+      ASSERT_TRUE(with.ok() && without.ok()) << file;
+      EXPECT_TRUE(*with == *without) << file << " differs";
+    }
+  }
+}
+
 TEST(ReconstructTest, ReportJsonCountsWhatTheFilesHold) {
   const TempFolder dir;
   const auto summary =
