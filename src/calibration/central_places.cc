@@ -31,7 +31,7 @@ std::map<int, double> CentralPlaces(const CalibrationSeries& series, const Camer
     spacing[series.lasers[i]] = (lines.back().at - lines.front().at) / static_cast<double>(lines.size() - 1);
   }
   const std::vector<double> lines = drawn ? PlacesOfLines(*drawn, camera) : std::vector<double>();
-  const std::map<int, double> places = AssignFirstEstimates(lines, brightest);
+  std::map<int, double> places = AssignFirstEstimates(lines, brightest);
   if (places.empty()) {
     warnings->push_back("laserFirstEstimates shows " + std::to_string(lines.size()) + " lines for " +
                         std::to_string(series.lasers.size()) +

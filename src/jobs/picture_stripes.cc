@@ -97,7 +97,7 @@ class PictureSearch {
         if (task == 0) in_place = CheckDevice(surveyed, same, orders_);
         if (task == 1) busy = FindBusyPart(surveyed, orders_, same, {}, context_);
       });
-      DORSUM_RETURN_IF_ERROR(in_place);
+      if (!in_place.ok()) return in_place.error();
       if (joint) LeaveOutEmpty(std::move(surveyed), busy);
     }
     ForLasers([&](std::size_t i, int laser) {

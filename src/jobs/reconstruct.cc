@@ -132,7 +132,7 @@ Result<Reconstruction> ReconstructPoints(const CaptureImages& capture, const Rea
                                  .correction = resolved.correction == "polynomial"},
                                 context);
   });
-  DORSUM_RETURN_IF_ERROR(orders_fit);
+  if (!orders_fit.ok()) return orders_fit.error();
   out.points = std::move(triangulation.points);
   out.without_order = triangulation.without_order;
   out.without_sheet = triangulation.without_sheet;

@@ -21,7 +21,8 @@ constexpr int kUnit = 256;  // of a grey value
 // Adds `sign` times the grey values of one row around u, between pixels.
 void AddProfile(const std::uint8_t* row, int cols, double u, int sign, Sums* sum) {
   const double base = std::floor(u);
-  const auto right = static_cast<std::uint16_t>(kUnit * (u - base) + 0.5);
+  const double rounded = kUnit * (u - base) + 0.5;
+  const auto right = static_cast<std::uint16_t>(rounded);
   const auto left = static_cast<std::uint16_t>(kUnit - right);
   const int first = static_cast<int>(base) - kReach;
   std::array<std::uint8_t, kColumns + 1> clamped;
