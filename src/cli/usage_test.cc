@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kCommands = {"simulate", "board",       "calibrate", "capture", "doctor",
                                             "campaign", "reconstruct", "evaluate",  "design"};
 
+// A folder that no other program writes: the demo leaves its own, `out`, where the tests run.
+const std::string kNowhere = "never-written-by-a-wrong-usage";
+
 // Wrong usage: exit code 2, one sentence that names the culprit, and nothing read or written.
 void ExpectUsageError(const std::vector<std::string>& arguments, const std::string& culprit) {
   SCOPED_TRACE(culprit);
@@ -57,7 +60,7 @@ TEST(UsageTest, UnknownCommandsAndOptionsAreNamed) {
 
 TEST(UsageTest, ValuesThatAnOptionDoesNotTakeAreNamed) {
   const auto with = [](const std::string& option, const std::string& value) {
-    return std::vector<std::string>{"reconstruct", "in", "-c", "c.json", "-o", "out", option, value};
+    return std::vector<std::string>{"reconstruct", "in", "-c", "c.json", "-o", kNowhere, option, value};
   };
   ExpectUsageError(with("--sheets", "sphere"), "sphere");
   ExpectUsageError(with("--method", "guess"), "guess");
@@ -72,8 +75,8 @@ TEST(UsageTest, ValuesThatAnOptionDoesNotTakeAreNamed) {
   ExpectUsageError({"evaluate", "out", "--fit", "cube"}, "cube");
   ExpectUsageError({"evaluate", "out", "--plane-height", "nan"}, "--plane-height");
   ExpectUsageError({"evaluate", "out", "--plane-height", "3", "--shrink-px", "-1"}, "--shrink-px");
-  ExpectUsageError({"simulate", "-o", "out", "--population", "-3"}, "--population");
-  EXPECT_FALSE(fs::exists("out"));
+  ExpectUsageError({"simulate", "-o", kNowhere, "--population", "-3"}, "--population");
+  EXPECT_FALSE(fs::exists(kNowhere));
 }
 
 TEST(UsageTest, EvaluateTakesOneReferenceOnly) {
