@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -15,25 +16,11 @@
 namespace dorsum {
 namespace {
 
-// Half of the symmetric kernel, from its middle outwards: (G - mean G) / sum (G - mean G)^2.
-std::vector<float> MatchedKernel(double width) {
-  const int half = std::max(3, static_cast<int>(std::lround(3.0 * width)));
-  std::vector<float> kernel(static_cast<std::size_t>(half) + 1);
-  const auto gauss = [width](int i) { return std::exp(-0.5 * i * i / (width * width)); };
-  double mean = 0.0, square = 0.0;
-  for (int i = -half; i <= half; ++i) mean += gauss(i);
-  mean /= 2.0 * half + 1.0;
-  for (int i = -half; i <= half; ++i) square += (gauss(i) - mean) * (gauss(i) - mean);
-  for (int i = 0; i <= half; ++i) {
-    kernel[static_cast<std::size_t>(i)] = static_cast<float>((gauss(i) - mean) / square);
-  }
-  return kernel;
-}
-
 // From a place to the top of the parabola through it and its neighbours.
-float ShiftToTop(const std::vector<float>& r, std::size_t place) {
-  const float curve = r[place - 1] - 2.0F * r[place] + r[place + 1];
-  const float shift = curve < 0.0F ? 0.5F * (r[place - 1] - r[place + 1]) / curve : 0.0F;
+float ShiftToTop(const std::vector<std::int16_t>& r, std::size_t place) {
+  const int curve = r[place - 1] - 2 * r[place] + r[place + 1];
+  const int lean = r[place - 1] - r[place + 1];
+  const float shift = curve < 0 ? 0.5F * static_cast<float>(lean) / static_cast<float>(curve) : 0.0F;
   return std::clamp(shift, -0.5F, 0.5F);
 }
 
@@ -51,7 +38,7 @@ std::pair<int, int> ColumnsOf(const std::uint8_t* region, int cols, int reach) {
 }
 
 // Drops the weaker of two that stand too close to be two. `response` begins at column `first`.
-void PartNeighbours(const std::vector<float>& response, int first, double width,
+void PartNeighbours(const std::vector<std::int16_t>& response, int first, double width,
                     std::vector<RidgeCandidate>* found) {
   std::size_t kept = 0;
   for (const RidgeCandidate& c : *found) {
@@ -60,7 +47,7 @@ void PartNeighbours(const std::vector<float>& response, int first, double width,
       if (static_cast<double>(c.u - last.u) < 2.0 * width) {
         const auto from = response.begin() + std::lround(last.u) - first;
         const auto to = response.begin() + std::lround(c.u) + 1 - first;
-        const float dip = *std::min_element(from, to);
+        const float dip = RidgeResponse::kUnit * static_cast<float>(*std::min_element(from, to));
         if (dip > 0.6F * std::min(c.response, last.response)) {
           if (c.response > last.response) last = c;
           continue;
@@ -78,11 +65,13 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
                                                       const NoiseModel& noise,
                                                       const RidgeDetectionOptions& options,
                                                       const Context& context, const RowComb& comb) {
-  const std::vector<float> kernel = MatchedKernel(options.width_px);
-  const double gain = NoiseGain(kernel) * options.min_contrast * options.min_contrast;
+  const RidgeKernel kernel = MakeRidgeKernel(options.width_px);
+  const double gain = kernel.NoiseGain() * options.min_contrast * options.min_contrast;
   const int reach = static_cast<int>(std::ceil(std::max(4.0 * options.width_px, 8.0)));
   // Noise grows with the grey value, so what is no evidence on a black ground is none anywhere.
-  const double least = std::max(options.min_response, 0.999 * std::sqrt(gain * noise.Variance(0.0)));
+  const double least_grey = std::max(options.min_response, std::sqrt(gain * noise.Variance(0.0)));
+  constexpr auto kUnit = static_cast<double>(RidgeResponse::kUnit);
+  const auto least = static_cast<std::int16_t>(std::clamp(least_grey / kUnit, 1.0, 32767.0));
 
   std::vector<std::vector<RidgeCandidate>> rows(static_cast<std::size_t>(green.rows));
   const int count = std::max(0, (green.rows - comb.first + comb.step - 1) / comb.step);
@@ -94,19 +83,21 @@ std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, cons
     thread_local std::optional<RidgeResponse> lines;
     if (!lines || lines->kernel() != kernel) lines.emplace(kernel);
     lines->Compute(green, row, first, end);
-    const std::vector<float>& r = lines->response();
+    const std::vector<std::int16_t>& r = lines->response();
     std::vector<RidgeCandidate>& found = rows[static_cast<std::size_t>(row)];
-    for (const int peak : lines->Peaks(static_cast<float>(least))) {
+    for (const int peak : lines->Peaks(least)) {
       const auto place = static_cast<std::size_t>(peak);
-      const auto response = static_cast<double>(r[place]);
+      const double response = kUnit * r[place];
       if (in != nullptr && in[first + peak] == 0) continue;
-      const double surroundings = std::max(0.0, static_cast<double>(lines->Smoothed(place)) - 0.5 * response);
+      const double surroundings = std::max(0.0, kUnit * lines->Smoothed(place) - 0.5 * response);
       if (response * response < gain * noise.Variance(surroundings)) continue;
       const auto from = r.begin() + std::max(0, peak - reach);
       const auto to = r.begin() + std::min(end - first, peak + reach + 1);
-      const float strongest = *std::max_element(from, to);
-      if (response < options.min_share * static_cast<double>(strongest)) continue;
-      found.push_back({static_cast<float>(first + peak) + ShiftToTop(r, place), r[place]});
+      const std::int16_t strongest =
+          std::accumulate(from, to, r[place], [](std::int16_t a, std::int16_t b) { return std::max(a, b); });
+      if (response < options.min_share * kUnit * strongest) continue;
+      found.push_back(
+          {static_cast<float>(first + peak) + ShiftToTop(r, place), static_cast<float>(response)});
     }
     PartNeighbours(r, first, options.width_px, &found);
   });

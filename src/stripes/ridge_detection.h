@@ -31,11 +31,11 @@ struct RowComb {
   bool Has(int row) const { return row >= first && (row - first) % step == 0; }
 };
 
-// Candidates of every row, by growing u. The image is smoothed over five rows, so that a dim stripe gathers
-// evidence, and filtered along the row with the least-squares estimate of the amplitude of a Gaussian on
-// an even background; its local maxima above the noise are the candidates. Where two stand closer than two
-// widths without a dip between them, the stronger stays. `green` is CV_8UC1; `region` CV_8UC1 or empty.
-// Looks at the rows of `comb` only; the others have no candidates.
+// Candidates of every row, by growing u. The image is smoothed over the rows beside it, so that a dim stripe
+// gathers evidence, and filtered along the row for a stripe's profile on an even background (ridge_kernel.h);
+// the local maxima above the noise are the candidates, at the top of the parabola through the three values.
+// Where two stand closer than two widths without a dip between them, the stronger stays. `green` is CV_8UC1;
+// `region` CV_8UC1 or empty. Looks at the rows of `comb` only; the others have no candidates.
 std::vector<std::vector<RidgeCandidate>> DetectRidges(const cv::Mat& green, const cv::Mat& region,
                                                       const NoiseModel& noise,
                                                       const RidgeDetectionOptions& options,

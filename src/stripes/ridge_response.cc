@@ -19,57 +19,53 @@ namespace dorsum::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using RowPointers = std::array<const std::uint8_t*, 5>;
-
-// (1 4 6 4 1) / 16 of five rows.
-void SmoothRows(const RowPointers& rows, std::size_t count, float* out) {
-  const hn::ScalableTag<float> d;
+// `rows`: the middle one, then pairs outwards, above and below.
+void SmoothRows(const std::vector<std::int16_t>& kernel, const std::vector<const std::uint8_t*>& rows,
+                std::size_t count, std::int16_t* out) {
+  const hn::ScalableTag<std::int16_t> d;
   const hn::Rebind<std::uint8_t, decltype(d)> d8;
-  const hn::Rebind<std::int32_t, decltype(d)> d32;
   const std::size_t lanes = hn::Lanes(d);
-  const auto get = [&](std::size_t k, std::size_t u) {
-    return hn::PromoteTo(d32, hn::LoadU(d8, rows[k] + u));
-  };
+  const auto get = [&](std::size_t k, std::size_t u) { return hn::PromoteTo(d, hn::LoadU(d8, rows[k] + u)); };
   std::size_t u = 0;
   for (; u + lanes <= count; u += lanes) {
-    const auto outer = get(0, u) + get(4, u), inner = get(1, u) + get(3, u), middle = get(2, u);
-    const auto sum = outer + hn::ShiftLeft<2>(inner + middle) + hn::ShiftLeft<1>(middle);
-    hn::StoreU(hn::ConvertTo(d, sum) * hn::Set(d, 0.0625F), d, out + u);
-  }
-  for (; u < count; ++u) {
-    const int sum = rows[0][u] + rows[4][u] + 4 * (rows[1][u] + rows[3][u]) + 6 * rows[2][u];
-    out[u] = 0.0625F * static_cast<float>(sum);
-  }
-}
-
-// Sums in the same order whatever the number of lanes.
-void Filter(const std::vector<float>& kernel, const float* in, std::size_t count, float* out) {
-  const hn::ScalableTag<float> d;
-  const std::size_t lanes = hn::Lanes(d);
-  std::size_t u = 0;
-  for (; u + lanes <= count; u += lanes) {
-    auto sum = hn::Set(d, kernel[0]) * hn::LoadU(d, in + u);
+    auto sum = hn::Mul(hn::Set(d, kernel[0]), get(0, u));
     for (std::size_t k = 1; k < kernel.size(); ++k) {
-      sum = sum + hn::Set(d, kernel[k]) * (hn::LoadU(d, in + u - k) + hn::LoadU(d, in + u + k));
+      const auto pair = hn::Add(get(2 * k - 1, u), get(2 * k, u));
+      sum = hn::Add(sum, hn::Mul(hn::Set(d, kernel[k]), pair));
     }
     hn::StoreU(sum, d, out + u);
   }
   for (; u < count; ++u) {
-    float sum = kernel[0] * in[u];
-    for (std::size_t k = 1; k < kernel.size(); ++k) sum += kernel[k] * (*(in + u - k) + in[u + k]);
-    out[u] = sum;
+    int sum = kernel[0] * rows[0][u];
+    for (std::size_t k = 1; k < kernel.size(); ++k) sum += kernel[k] * (rows[2 * k - 1][u] + rows[2 * k][u]);
+    out[u] = static_cast<std::int16_t>(sum);
   }
 }
 
-void FindPeaks(const float* r, std::size_t count, float least, std::vector<int>* peaks) {
-  const hn::ScalableTag<float> d;
+// Whole vectors only: reads and writes up to one vector more than `count`.
+void Filter(const std::vector<std::int16_t>& kernel, const std::int16_t* in, std::size_t count,
+            std::int16_t* out) {
+  const hn::ScalableTag<std::int16_t> d;
   const std::size_t lanes = hn::Lanes(d);
-  const auto limit = hn::Set(d, least);
+  for (std::size_t u = 0; u < count; u += lanes) {
+    auto sum = hn::MulFixedPoint15(hn::Set(d, kernel[0]), hn::LoadU(d, in + u));
+    for (std::size_t k = 1; k < kernel.size(); ++k) {
+      const auto pair = hn::Add(hn::LoadU(d, in + u - k), hn::LoadU(d, in + u + k));
+      sum = hn::SaturatedAdd(sum, hn::MulFixedPoint15(hn::Set(d, kernel[k]), pair));
+    }
+    hn::StoreU(sum, d, out + u);
+  }
+}
+
+void FindPeaks(const std::int16_t* r, std::size_t count, std::int16_t least, std::vector<int>* peaks) {
+  const hn::ScalableTag<std::int16_t> d;
+  const std::size_t lanes = hn::Lanes(d);
+  const auto below = hn::Set(d, static_cast<std::int16_t>(least - 1));
   std::size_t u = 1;
   for (; u + lanes + 1 <= count; u += lanes) {
     const auto here = hn::LoadU(d, r + u);
-    const auto is_peak = hn::And(hn::Ge(here, limit), hn::And(hn::Gt(here, hn::LoadU(d, r + u - 1)),
-                                                              hn::Ge(here, hn::LoadU(d, r + u + 1))));
+    const auto is_peak = hn::AndNot(hn::Gt(hn::LoadU(d, r + u + 1), here),
+                                    hn::Gt(here, hn::Max(below, hn::LoadU(d, r + u - 1))));
     if (hn::AllFalse(d, is_peak)) continue;
     std::array<std::uint8_t, 8> bytes{};
     hn::StoreMaskBits(d, is_peak, bytes.data());
@@ -83,6 +79,8 @@ void FindPeaks(const float* r, std::size_t count, float least, std::vector<int>*
   }
 }
 
+std::size_t Lanes16() { return hn::Lanes(hn::ScalableTag<std::int16_t>()); }
+
 }  // namespace dorsum::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -92,41 +90,37 @@ namespace dorsum {
 HWY_EXPORT(SmoothRows);
 HWY_EXPORT(Filter);
 HWY_EXPORT(FindPeaks);
+HWY_EXPORT(Lanes16);
 
-RidgeResponse::RidgeResponse(std::vector<float> kernel)
-    : kernel_(std::move(kernel)), pad_(kernel_.size() - 1) {}
+RidgeResponse::RidgeResponse(RidgeKernel kernel)
+    : kernel_(std::move(kernel)), pad_(kernel_.columns.size() - 1), rows_(2 * kernel_.rows.size() - 1) {}
 
 void RidgeResponse::Compute(const cv::Mat& green, int row, int first, int end) {
-  const auto cols = static_cast<std::size_t>(end - first);
-  padded_.resize(cols + 2 * pad_);
-  response_.resize(cols);
+  const auto cols = static_cast<std::size_t>(end - first), beyond = HWY_DYNAMIC_DISPATCH(Lanes16)();
+  padded_.resize(cols + 2 * pad_ + beyond);
+  response_.resize(cols + beyond);
   // The part of the padded row that lies in the picture.
   const int pad = static_cast<int>(pad_), from = std::max(0, first - pad),
             to = std::min(green.cols, end + pad);
-  std::array<const std::uint8_t*, 5> rows{};
-  for (int k = 0; k < 5; ++k) {
-    rows[static_cast<std::size_t>(k)] =
-        green.ptr<std::uint8_t>(std::clamp(row + k - 2, 0, green.rows - 1)) + from;
+  const auto at = [&](int v) { return green.ptr<std::uint8_t>(std::clamp(v, 0, green.rows - 1)) + from; };
+  rows_[0] = at(row);
+  for (int k = 1; k < static_cast<int>(kernel_.rows.size()); ++k) {
+    rows_[static_cast<std::size_t>(2 * k - 1)] = at(row - k);
+    rows_[static_cast<std::size_t>(2 * k)] = at(row + k);
   }
-  float* inner = padded_.data() + (from - first + pad);
-  float* behind = inner + (to - from);
-  HWY_DYNAMIC_DISPATCH(SmoothRows)(rows, static_cast<std::size_t>(to - from), inner);
+  std::int16_t* inner = padded_.data() + (from - first + pad);
+  std::int16_t* behind = inner + (to - from);
+  HWY_DYNAMIC_DISPATCH(SmoothRows)(kernel_.rows, rows_, static_cast<std::size_t>(to - from), inner);
   std::fill(padded_.data(), inner, *inner);
   std::fill(behind, padded_.data() + padded_.size(), *(behind - 1));
-  HWY_DYNAMIC_DISPATCH(Filter)(kernel_, padded_.data() + pad_, cols, response_.data());
+  HWY_DYNAMIC_DISPATCH(Filter)(kernel_.columns, padded_.data() + pad_, cols, response_.data());
+  response_.resize(cols);
 }
 
-const std::vector<int>& RidgeResponse::Peaks(float least) {
+const std::vector<int>& RidgeResponse::Peaks(std::int16_t least) {
   peaks_.clear();
   HWY_DYNAMIC_DISPATCH(FindPeaks)(response_.data(), response_.size(), least, &peaks_);
   return peaks_;
-}
-
-double NoiseGain(const std::vector<float>& kernel) {
-  constexpr double kRows = (2.0 * 1.0 + 2.0 * 16.0 + 36.0) / 256.0;
-  auto gain = static_cast<double>(kernel[0] * kernel[0]);
-  for (std::size_t k = 1; k < kernel.size(); ++k) gain += 2.0 * static_cast<double>(kernel[k] * kernel[k]);
-  return gain * kRows;
 }
 
 }  // namespace dorsum
