@@ -6,9 +6,11 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/core/utility.hpp>
 
+#include "accuracy/stripe_table.h"
 #include "captures/green_channel.h"
 #include "speed/allocation_count.h"
 #include "speed/floor.h"
+#include "speed/point_accuracy.h"
 #include "speed/steger.h"
 
 namespace dorsum::speed {
@@ -27,11 +29,42 @@ std::vector<cv::Mat> GreenOf(const SpeedScene& scene) {
   return green;
 }
 
+// Steger's detector finds about as many of the stripes as ours with this.
+std::vector<cv::Point2f> StegerPoints(const cv::Mat& green) { return DetectSteger(green, 2.4, 0.3); }
+
 void BenchSteger(benchmark::State& state, const SpeedScene& scene, int threads) {
   WithThreads(threads);
   const std::vector<cv::Mat> green = GreenOf(scene);
   for (auto _ : state) {
-    for (const cv::Mat& g : green) benchmark::DoNotOptimize(DetectSteger(g, 2.4, 1.0).size());
+    for (const cv::Mat& g : green) benchmark::DoNotOptimize(StegerPoints(g).size());
+  }
+}
+
+// Our detector, which like Steger's is told how wide the lines are and how strong they must be.
+struct ReadyDetector {
+  cv::Mat green;
+  NoiseModel noise;
+  RidgeDetectionOptions options;
+
+  std::vector<std::vector<RidgeCandidate>> Find(const Context& context) const {
+    return DetectRidges(green, {}, noise, options, context);
+  }
+};
+
+std::vector<ReadyDetector> DetectorsOf(const SpeedScene& scene, const Context& context) {
+  std::vector<ReadyDetector> out;
+  for (const cv::Mat& green : GreenOf(scene)) {
+    const RidgeSurvey survey = SurveyRidges(green, {}, 0.0, {}, {}, context);
+    out.push_back({green, survey.noise, {.width_px = survey.width_px}});
+  }
+  return out;
+}
+
+void BenchDetector(benchmark::State& state, const SpeedScene& scene, int threads) {
+  const Context context = WithThreads(threads);
+  const std::vector<ReadyDetector> detectors = DetectorsOf(scene, context);
+  for (auto _ : state) {
+    for (const ReadyDetector& d : detectors) benchmark::DoNotOptimize(d.Find(context).size());
   }
 }
 
@@ -105,6 +138,7 @@ Measured RunBenches(const SpeedScene& scene, const std::map<std::string, const S
   for (const int threads : {1, 2}) {
     const std::string tail = "/threads:" + std::to_string(threads);
     Add("steger" + tail, [&, threads](benchmark::State& s) { BenchSteger(s, scene, threads); });
+    Add("detector" + tail, [&, threads](benchmark::State& s) { BenchDetector(s, scene, threads); });
     Add("ridges" + tail, [&, threads](benchmark::State& s) { BenchRidges(s, scene, threads); });
     for (const char* method : {"classic", "default"}) {
       Add(method + tail,
@@ -117,6 +151,26 @@ Measured RunBenches(const SpeedScene& scene, const std::map<std::string, const S
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   return collector.measured();
+}
+
+Result<Measured> CompareDetectors(const SpeedScene& scene) {
+  const Context context = WithThreads(1);
+  DetectorComparison comparison;
+  const std::vector<ReadyDetector> detectors = DetectorsOf(scene, context);
+  for (std::size_t k = 0; k < detectors.size(); ++k) {
+    DORSUM_ASSIGN_OR_RETURN(
+        const std::vector<accuracy::TrueStripe> truth,
+        accuracy::ReadStripeTable(scene.truth_dir / ("stripes" + std::to_string(k) + ".csv.gz")));
+    std::vector<cv::Point2f> ours;
+    const auto rows = detectors[k].Find(context);
+    for (std::size_t v = 0; v < rows.size(); ++v) {
+      for (const RidgeCandidate& c : rows[v]) ours.emplace_back(c.u, static_cast<float>(v));
+    }
+    comparison.Add(truth, ours, StegerPoints(detectors[k].green));
+  }
+  Measured out;
+  for (const auto& [name, value] : comparison.Summary()) out["points/" + name] = value;
+  return out;
 }
 
 Measured CountAllocations(const SpeedScene& scene) {

@@ -12,6 +12,10 @@ namespace dorsum::speed {
 // `sizes`: scenes of other pictures and numbers of lasers, by the name that their times get.
 Measured RunBenches(const SpeedScene& scene, const std::map<std::string, const SpeedScene*>& sizes);
 
+// The points of Steger's detector and of ours beside the true stripes of the scene, by "points/" and what
+// DetectorComparison::Summary() names.
+Result<Measured> CompareDetectors(const SpeedScene& scene);
+
 // Image-sized allocations of a scan after others of its kind.
 Measured CountAllocations(const SpeedScene& scene);
 

@@ -48,10 +48,16 @@ std::vector<SpeedFigure> FiguresOf(const Measured& m) {
               Ratio(m, "classic/threads:1", "default/threads:1")),
       AtLeast("classic chain over the default one, 2 threads", 10.0,
               Ratio(m, "classic/threads:2", "default/threads:2")),
-      AtLeast("OpenCV Steger over our ridges, 1 thread", 10.0,
-              Ratio(m, "steger/threads:1", "ridges/threads:1")),
-      AtLeast("OpenCV Steger over our ridges, 2 threads", 10.0,
-              Ratio(m, "steger/threads:2", "ridges/threads:2")),
+      AtLeast("OpenCV Steger over our detector, 1 thread", 10.0,
+              Ratio(m, "steger/threads:1", "detector/threads:1")),
+      AtLeast("OpenCV Steger over our detector, 2 threads", 10.0,
+              Ratio(m, "steger/threads:2", "detector/threads:2")),
+      AtMost("our points' rms error over Steger's, the hand's stripes", 1.0,
+             Ratio(m, "points/object/ours/rms_px", "points/object/theirs/rms_px")),
+      AtMost("our points' rms error over Steger's, the backplane's stripes", 1.0,
+             Ratio(m, "points/backplane/ours/rms_px", "points/backplane/theirs/rms_px")),
+      AtLeast("points of the hand's stripes that ours finds over those that Steger finds", 1.0,
+              Ratio(m, "points/object/ours/found", "points/object/theirs/found")),
       AtLeast("1 thread over 2, default chain", 1.6, Ratio(m, "default/threads:1", "default/threads:2")),
       AtMost("time per megapixel at 8 MP over that at 2 MP", 1.15, eight / two),
       AtMost("process of `reconstruct --no-report` over one that reads the images", 2.0,
@@ -73,6 +79,29 @@ std::string FigureTable(const Measured& measured) {
                : f.met               ? "met"
                                      : "**missed**"});
   }
+  return table.text();
+}
+
+std::string DetectorTable(const Measured& measured) {
+  MarkdownTable table({"", "times the floor, 1 thread", "2 threads", "found on the hand", "rms / median, px",
+                       "found on the backplane", "rms / median, px"});
+  const auto row = [&](const std::string& what, const std::string& name, const std::string& whose) {
+    std::vector<std::string> cells = {what};
+    for (const char* threads : {"/threads:1", "/threads:2"})
+      cells.push_back(Cell(Ratio(measured, name + threads, "floor")));
+    if (whose.empty()) cells.resize(7, "–");
+    if (whose.empty()) return table.Row(cells);
+    for (const std::string place : {"points/object/", "points/backplane/"}) {
+      const std::string points = place + whose;
+      cells.push_back(Fixed(100.0 * Get(measured, points + "/found"), 1) + " %");
+      cells.push_back(Fixed(Get(measured, points + "/rms_px"), 3) + " / " +
+                      Fixed(Get(measured, points + "/median_px"), 3));
+    }
+    table.Row(cells);
+  };
+  row("OpenCV Steger", "steger", "theirs");
+  row("our detector", "detector", "ours");
+  row("all that we do to find stripes", "ridges", "");
   return table.text();
 }
 

@@ -24,8 +24,10 @@ struct SpeedFigure {
 
 std::vector<SpeedFigure> FiguresOf(const Measured& measured);
 
-// The figures as a table in Markdown; stages of a reconstruction and their shares; sizes and lasers.
+// The figures as a table in Markdown; detectors of stripes beside each other; stages of a reconstruction and
+// their shares; sizes and lasers.
 std::string FigureTable(const Measured& measured);
+std::string DetectorTable(const Measured& measured);
 std::string StageTable(const Measured& measured);
 std::string SizeTable(const Measured& measured);
 

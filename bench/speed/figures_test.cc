@@ -41,6 +41,23 @@ TEST(SpeedFigures, TablesSayWhatIsMissedAndWhatWasNotMeasured) {
   EXPECT_THAT(table, HasSubstr("not measured"));
 }
 
+TEST(SpeedFigures, DetectorsStandBesideEachOther) {
+  Measured run = kRun;
+  run["steger/threads:1"] = 90.0;
+  run["detector/threads:1"] = 6.0;
+  run["points/object/ours/rms_px"] = 0.18;
+  run["points/object/theirs/rms_px"] = 0.2;
+  run["points/object/theirs/found"] = 0.97;
+  const auto figures = FiguresOf(run);
+  EXPECT_DOUBLE_EQ(Find(figures, "Steger over our detector, 1 thread").reached, 15.0);
+  EXPECT_DOUBLE_EQ(Find(figures, "Steger's, the hand's").reached, 0.9);
+  EXPECT_TRUE(Find(figures, "Steger's, the hand's").met);
+  EXPECT_FALSE(Find(figures, "Steger finds").met);
+  const std::string table = DetectorTable(run);
+  EXPECT_THAT(table, HasSubstr("| OpenCV Steger | 45 | – | 97.0 % | 0.200 / – |"));
+  EXPECT_THAT(table, HasSubstr("| our detector | 3.00 |"));
+}
+
 TEST(SpeedFigures, SizesAreRowsWithoutTheirStages) {
   Measured run = kRun;
   run["size/lasers:1"] = 8.0;

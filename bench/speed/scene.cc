@@ -60,6 +60,7 @@ Result<SpeedScene> MakeSpeedScene(const SpeedDevice& device, const fs::path& cac
   SpeedScene scene;
   scene.calibration_dir = data.calibration_dir;
   scene.capture_dir = data.captures.front().capture_dir;
+  scene.truth_dir = data.captures.front().truth_dir;
   scene.calibration_path = data.out_dir / "calibration_bundle.json";
   fs::create_directories(data.out_dir, ignored);
   DORSUM_ASSIGN_OR_RETURN(scene.bundle,

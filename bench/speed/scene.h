@@ -12,7 +12,7 @@ namespace dorsum::speed {
 
 // A virtual device's capture of a hand in memory, with its calibrations.
 struct SpeedScene {
-  std::filesystem::path calibration_dir, capture_dir, calibration_path;
+  std::filesystem::path calibration_dir, capture_dir, truth_dir, calibration_path;
   CaptureImages capture;
   std::vector<cv::Mat> images;  // bgHand and all stripes of it
   ReadyCalibration bundle, classic;

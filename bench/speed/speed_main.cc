@@ -54,6 +54,8 @@ Result<Measured> Measure(const Arguments& arguments, const Context& context) {
   for (const auto& [size, other] : others) sizes[size] = &other;
   all.merge(RunBenches(scene, sizes));
   all.merge(CountAllocations(scene));
+  DORSUM_ASSIGN_OR_RETURN(Measured points, CompareDetectors(scene));
+  all.merge(points);
   if (arguments.brief) return all;
   DORSUM_ASSIGN_OR_RETURN(Measured calibration, TimeCalibration(scene));
   all.merge(calibration);
@@ -62,9 +64,10 @@ Result<Measured> Measure(const Arguments& arguments, const Context& context) {
 
 Result<std::string> MakeDocument(const Measured& measured) {
   DORSUM_ASSIGN_OR_RETURN(const std::string text, ReadFile(kBench / "performance.md.in"));
-  return accuracy::FillTemplate(
-      text,
-      {{"figures", FigureTable(measured)}, {"stages", StageTable(measured)}, {"sizes", SizeTable(measured)}});
+  return accuracy::FillTemplate(text, {{"figures", FigureTable(measured)},
+                                       {"detectors", DetectorTable(measured)},
+                                       {"stages", StageTable(measured)},
+                                       {"sizes", SizeTable(measured)}});
 }
 
 Status RunAll(const Arguments& arguments, const Context& context) {
@@ -79,8 +82,8 @@ Status RunAll(const Arguments& arguments, const Context& context) {
                  arguments.check + " is not what its template and results give; write it anew"};
   }
   DORSUM_ASSIGN_OR_RETURN(const Measured measured, Measure(arguments, context));
-  std::printf("\n%s\n%s\n%s", FigureTable(measured).c_str(), StageTable(measured).c_str(),
-              SizeTable(measured).c_str());
+  std::printf("\n%s\n%s\n%s\n%s", FigureTable(measured).c_str(), DetectorTable(measured).c_str(),
+              StageTable(measured).c_str(), SizeTable(measured).c_str());
   if (!arguments.results.empty()) {
     fs::create_directories(arguments.results);
     DORSUM_RETURN_IF_ERROR(WriteJson(fs::path(arguments.results) / kRecord, MeasuredToJson(measured)));

@@ -29,7 +29,7 @@ Kernels MakeKernels(double sd) {
 
 }  // namespace
 
-std::vector<StegerPoint> DetectSteger(const cv::Mat& green, double width_px, double contrast) {
+std::vector<cv::Point2f> DetectSteger(const cv::Mat& green, double width_px, double contrast) {
   const Kernels k = MakeKernels(width_px);
   cv::Mat1f x, y, xx, xy, yy;
   cv::sepFilter2D(green, x, CV_32F, k.first, k.smooth);
@@ -37,7 +37,7 @@ std::vector<StegerPoint> DetectSteger(const cv::Mat& green, double width_px, dou
   cv::sepFilter2D(green, xx, CV_32F, k.second, k.smooth);
   cv::sepFilter2D(green, xy, CV_32F, k.first, k.first);
   cv::sepFilter2D(green, yy, CV_32F, k.smooth, k.second);
-  std::vector<std::vector<StegerPoint>> rows(static_cast<std::size_t>(green.rows));
+  std::vector<std::vector<cv::Point2f>> rows(static_cast<std::size_t>(green.rows));
   cv::parallel_for_(cv::Range(0, green.rows), [&](const cv::Range& range) {
     for (int v = range.start; v < range.end; ++v) {
       for (int u = 0; u < green.cols; ++u) {
@@ -62,7 +62,7 @@ std::vector<StegerPoint> DetectSteger(const cv::Mat& green, double width_px, dou
       }
     }
   });
-  std::vector<StegerPoint> all;
+  std::vector<cv::Point2f> all;
   for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
   return all;
 }

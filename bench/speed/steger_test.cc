@@ -20,9 +20,9 @@ TEST(Steger, FindsASlantedLineToATenthOfAPixel) {
   }
   const auto points = DetectSteger(green, 2.4, 1.0);
   EXPECT_GT(points.size(), 70U);
-  for (const StegerPoint& p : points) {
-    if (p.v < 8.0F || p.v > 71.0F) continue;
-    EXPECT_NEAR(p.u, centre(p.v), 0.1);
+  for (const cv::Point2f& p : points) {
+    if (p.y < 8.0F || p.y > 71.0F) continue;
+    EXPECT_NEAR(p.x, centre(p.y), 0.1);
   }
 }
 
