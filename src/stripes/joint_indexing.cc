@@ -77,7 +77,7 @@ IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceOrder
   const std::vector<JointPiece> pieces = CutPieces(stripes, device_orders, options.pieces, context);
   const JointGraph graph = BuildJointGraph(pieces, options.pieces.sample_rows, device.min_height_mm,
                                            device.max_height_mm, options.graph, context);
-  const JointLabels labels = InferLabels(pieces, graph, options.inference);
+  const JointLabels labels = InferLabels(pieces, graph, options.inference, context);
   std::vector<std::optional<int>> orders(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (labels.candidate[i] < 0 || labels.own_margin[i] < options.min_own_margin ||

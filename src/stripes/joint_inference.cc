@@ -17,13 +17,13 @@ constexpr double kNoCandidateCost = 4.0;
 class Inference {
  public:
   Inference(const std::vector<JointPiece>& pieces, const JointGraph& graph,
-            const JointInferenceOptions& options)
+            const JointInferenceOptions& options, const Context& context)
       : pieces_(pieces), graph_(graph), options_(options), at_(pieces.size()) {
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       at_[static_cast<std::size_t>(graph.edges[e].first)].push_back(static_cast<int>(e));
       at_[static_cast<std::size_t>(graph.edges[e].second)].push_back(static_cast<int>(e));
     }
-    labels_.candidate = PassMessages(pieces, graph, options.messages);
+    labels_.candidate = PassMessages(pieces, graph, options.messages, context);
     labels_.own_margin.assign(pieces.size(), 0.0);
     labels_.surface_margin.assign(pieces.size(), 0.0);
     labels_.surface.assign(pieces.size(), 0);
@@ -184,8 +184,8 @@ class Inference {
 }  // namespace
 
 JointLabels InferLabels(const std::vector<JointPiece>& pieces, const JointGraph& graph,
-                        const JointInferenceOptions& options) {
-  return Inference(pieces, graph, options).Run();
+                        const JointInferenceOptions& options, const Context& context) {
+  return Inference(pieces, graph, options, context).Run();
 }
 
 }  // namespace dorsum

@@ -27,6 +27,6 @@ struct JointLabels {
 // PassMessages() first, then single pieces and whole surfaces are moved by one order at a time as long as
 // that costs less.
 JointLabels InferLabels(const std::vector<JointPiece>& pieces, const JointGraph& graph,
-                        const JointInferenceOptions& options);
+                        const JointInferenceOptions& options, const Context& context = {});
 
 }  // namespace dorsum

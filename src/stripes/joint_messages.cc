@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 
+#include "base/parallel.h"
 #include "stripes/message_sweep.h"
+#include "stripes/sweep_order.h"
 
 namespace dorsum {
 namespace {
@@ -14,24 +15,17 @@ namespace {
 // The graph with its pieces in the order of the sweeps, and what was sent so far.
 class Messages {
  public:
-  Messages(const std::vector<JointPiece>& pieces, const JointGraph& graph) {
+  Messages(const std::vector<JointPiece>& pieces, const JointGraph& graph)
+      : order_(OrderSweeps(pieces, graph)) {
     table_.ends.resize(pieces.size());
     std::vector<std::size_t> place(pieces.size());
-    order_.resize(pieces.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    const auto column = [&](std::size_t i) {
-      const auto& s = pieces[i].samples;
-      return s.empty() ? 0.0F : s[s.size() / 2].u;
-    };
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return column(a) < column(b); });
     std::size_t most = 1;
     for (const auto& costs : graph.unary) most = std::max(most, costs.size());
     table_.wide = (most + kMessageLanes - 1) / kMessageLanes * kMessageLanes;
     table_.unary.assign(pieces.size() * table_.wide, kNoCandidate);
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-      place[order_[k]] = k;
-      const std::vector<float>& costs = graph.unary[order_[k]];
+    for (std::size_t k = 0; k < order_.pieces.size(); ++k) {
+      place[order_.pieces[k]] = k;
+      const std::vector<float>& costs = graph.unary[order_.pieces[k]];
       std::copy(costs.begin(), costs.end(), &table_.unary[k * table_.wide]);
       table_.candidates.push_back(costs.size());
     }
@@ -71,7 +65,19 @@ class Messages {
     }
   }
 
-  float Sweep(bool ahead) { return SweepMessages(ahead, &table_); }
+  // All pieces, in their order or against it; the largest change of a message.
+  float Sweep(bool ahead, const Context& context) {
+    const std::size_t left = order_.left_end, right = order_.right_end;
+    std::array<float, 3> change{};
+    const auto last = [&] { change[2] = SweepMessages(ahead, right, table_.ends.size(), &table_); };
+    if (!ahead) last();
+    ParallelFor(context, 0, 2, [&](std::int64_t side) {
+      change[static_cast<std::size_t>(side)] =
+          SweepMessages(ahead, side == 0 ? 0 : left, side == 0 ? left : right, &table_);
+    });
+    if (ahead) last();
+    return *std::max_element(change.begin(), change.end());
+  }
 
   // For each piece the cheapest candidate, given those of its neighbours that come before it.
   std::vector<int> Choose() const {
@@ -88,7 +94,7 @@ class Messages {
         }
       }
       chosen[i] = static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
-      by_piece[order_[i]] = chosen[i];
+      by_piece[order_.pieces[i]] = chosen[i];
     }
     return by_piece;
   }
@@ -113,17 +119,17 @@ class Messages {
     return static_cast<std::uint32_t>(at);
   }
 
-  std::vector<std::size_t> order_;  // pieces
+  SweepOrder order_;
   MessageTable table_;
 };
 
 }  // namespace
 
 std::vector<int> PassMessages(const std::vector<JointPiece>& pieces, const JointGraph& graph,
-                              const MessagePassingOptions& options) {
+                              const MessagePassingOptions& options, const Context& context) {
   Messages messages(pieces, graph);
   for (int sweep = 0; sweep < options.max_sweeps; ++sweep) {
-    if (messages.Sweep(sweep % 2 == 0) < options.tolerance) break;
+    if (messages.Sweep(sweep % 2 == 0, context) < options.tolerance) break;
   }
   return messages.Choose();
 }

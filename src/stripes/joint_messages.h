@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/context.h"
 #include "stripes/joint_graph.h"
 
 namespace dorsum {
@@ -13,10 +14,10 @@ struct MessagePassingOptions {
 };
 
 // Candidates of small total cost by sequential tree-reweighted message passing (Kolmogorov, "Convergent
-// tree-reweighted message passing for energy minimization", PAMI 2006, figure 2), in the order of the
-// columns: each sweep sends messages ahead only, and the next one sends them back. -1 for pieces without
-// candidates.
+// tree-reweighted message passing for energy minimization", PAMI 2006, figure 2), from both sides inwards
+// (sweep_order.h): each sweep sends messages ahead only, and the next one sends them back. -1 for pieces
+// without candidates.
 std::vector<int> PassMessages(const std::vector<JointPiece>& pieces, const JointGraph& graph,
-                              const MessagePassingOptions& options);
+                              const MessagePassingOptions& options, const Context& context = {});
 
 }  // namespace dorsum

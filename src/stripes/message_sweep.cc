@@ -75,12 +75,11 @@ class Sweeper {
   std::vector<float> belief_, base_, fresh_;  // of the piece and the message at work
 };
 
-float Sweep(bool ahead, MessageTable* table) {
+float Sweep(bool ahead, std::size_t first, std::size_t end, MessageTable* table) {
   Sweeper sweeper(table);
-  const std::size_t n = table->ends.size();
   float change = 0.0F;
-  for (std::size_t k = 0; k < n; ++k)
-    change = std::max(change, sweeper.SendFrom(ahead ? k : n - 1 - k, ahead));
+  for (std::size_t k = 0; k < end - first; ++k)
+    change = std::max(change, sweeper.SendFrom(ahead ? first + k : end - 1 - k, ahead));
   return change;
 }
 
@@ -92,7 +91,9 @@ namespace dorsum {
 
 HWY_EXPORT(Sweep);
 
-float SweepMessages(bool ahead, MessageTable* table) { return HWY_DYNAMIC_DISPATCH(Sweep)(ahead, table); }
+float SweepMessages(bool ahead, std::size_t first, std::size_t end, MessageTable* table) {
+  return HWY_DYNAMIC_DISPATCH(Sweep)(ahead, first, end, table);
+}
 
 }  // namespace dorsum
 #endif

@@ -92,7 +92,7 @@ class ProfileBatch {
     const std::size_t task = work.task;
     const ProfileStart& first = tasks_[task].start;
     lanes_.Store(lane, &work.fit);
-    const ProfileFit fit = work.fit;
+    const ProfileFit& fit = work.fit;
     if (work.attempt == Attempt::kAgain) {
       if (fit.ok && std::abs(fit.u - first.u) < 1.5 * std::max(fit.width, first.width)) fits_[task] = fit;
       return false;
