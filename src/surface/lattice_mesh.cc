@@ -3,19 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "base/parallel.h"
+#include "surface/mesh_parts.h"
 
 namespace dorsum {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNone = MeshPart::kNone;
 
 class LatticeMesher {
  public:
@@ -38,24 +38,10 @@ class LatticeMesher {
     }
   }
 
-  const TriangleMesh& mesh() const { return mesh_; }
-
-  // Adds this part to `whole`, which holds those above it; `ids` are the vertices of `whole` on the row that
-  // both share, and then those on this part's last row.
-  void AddTo(TriangleMesh* whole, std::vector<std::uint32_t>* ids) const {
-    std::vector<std::uint32_t> to(mesh_.vertices.size(), kNone);
-    const std::vector<std::uint32_t> top = VerticesOfRow(first_);
-    for (std::size_t i = 0; i < top.size() && i < ids->size(); ++i) {
-      if (top[i] != kNone) to[top[i]] = (*ids)[i];
-    }
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      if (to[i] != kNone) continue;
-      to[i] = static_cast<std::uint32_t>(whole->vertices.size());
-      whole->vertices.push_back(mesh_.vertices[i]);
-    }
-    for (const auto& f : mesh_.faces) whole->faces.push_back({to[f[0]], to[f[1]], to[f[2]]});
-    *ids = VerticesOfRow(last_);
-    for (std::uint32_t& id : *ids) id = id == kNone ? kNone : to[id];
+  // With what the parts above and below have too.
+  MeshPart Take() {
+    std::vector<std::uint32_t> first = VerticesOfRow(first_), last = VerticesOfRow(last_);
+    return {std::move(mesh_), std::move(first), std::move(last)};
   }
 
  private:
@@ -148,32 +134,6 @@ class LatticeMesher {
   TriangleMesh mesh_;
 };
 
-void DropLooseVertices(TriangleMesh* mesh) {
-  std::vector<std::uint32_t> ids(mesh->vertices.size(), kNone);
-  std::vector<Eigen::Vector3d> kept;
-  kept.reserve(mesh->vertices.size());
-  for (auto& f : mesh->faces) {
-    for (std::uint32_t& i : f) {
-      if (ids[i] == kNone) {
-        ids[i] = static_cast<std::uint32_t>(kept.size());
-        kept.push_back(mesh->vertices[i]);
-      }
-      i = ids[i];
-    }
-  }
-  mesh->vertices = std::move(kept);
-}
-
-void ComputeNormals(TriangleMesh* mesh) {
-  mesh->normals.assign(mesh->vertices.size(), Eigen::Vector3d::Zero());
-  for (const auto& f : mesh->faces) {
-    const Eigen::Vector3d& a = mesh->vertices[f[0]];
-    const Eigen::Vector3d area = (mesh->vertices[f[1]] - a).cross(mesh->vertices[f[2]] - a);
-    for (const std::uint32_t i : f) mesh->normals[i] += area;
-  }
-  for (Eigen::Vector3d& n : mesh->normals) n.normalize();
-}
-
 }  // namespace
 
 TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, const RayField& rays,
@@ -181,26 +141,15 @@ TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, co
   constexpr int kParts = 4;
   const PlateLattice& l = lattice;
   const cv::Mat1f inside = outline.AtNodes(l.u0, l.v0, l.step_px, l.active.size(), context);
-  TriangleMesh mesh;
-  if (l.active.rows < 2) return mesh;
-  std::vector<std::optional<LatticeMesher>> parts(kParts);
+  if (l.active.rows < 2) return {};
+  std::vector<MeshPart> parts(kParts);
   ParallelFor(context, 0, kParts, [&](std::int64_t k) {
     const int cells = l.active.rows - 1, part = static_cast<int>(k);
-    parts[static_cast<std::size_t>(k)].emplace(l, inside, rays, max_slope_deg, part * cells / kParts,
-                                               (part + 1) * cells / kParts);
+    parts[static_cast<std::size_t>(k)] = LatticeMesher(l, inside, rays, max_slope_deg, part * cells / kParts,
+                                                       (part + 1) * cells / kParts)
+                                             .Take();
   });
-  std::size_t vertices = 0, faces = 0;
-  for (const auto& part : parts) {
-    vertices += part->mesh().vertices.size();
-    faces += part->mesh().faces.size();
-  }
-  mesh.vertices.reserve(vertices);
-  mesh.faces.reserve(faces);
-  std::vector<std::uint32_t> shared;
-  for (const auto& part : parts) part->AddTo(&mesh, &shared);
-  DropLooseVertices(&mesh);
-  ComputeNormals(&mesh);
-  return mesh;
+  return JoinParts(parts, context);
 }
 
 }  // namespace dorsum

@@ -29,6 +29,7 @@ void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
   std::vector<int> changed(static_cast<std::size_t>(d.rows), 0);
   std::array<std::vector<int>, 2> swept;
   for (auto& when : swept) when.assign(changed.size(), -1);
+  std::vector<float> across(static_cast<std::size_t>(d.cols));  // the shortest way over the row before
   int now = 0;
   for (bool any = true; any;) {
     any = false;
@@ -42,12 +43,13 @@ void SpreadDistances(const cv::Mat1b& on, cv::Mat1f* way) {
         const auto* known = on.ptr<std::uint8_t>(r) - 1;
         auto* here = d.ptr<float>(r + 1);
         const auto* before = d.ptr<float>(r + 1 + sign);
+        auto* over = across.data();
+        for (int c = 1; c <= way->cols; ++c)
+          over[c] = std::min(before[c] + 1.0F, std::min(before[c - 1], before[c + 1]) + kDiagonal);
         for (int j = 0; j < way->cols; ++j) {
           const int c = sign < 0 ? j + 1 : way->cols - j;
           if (known[c] == 0) continue;
-          const float straight = std::min(here[c + sign], before[c]) + 1.0F;
-          const float slanting = std::min(before[c - 1], before[c + 1]) + kDiagonal;
-          const float least = std::min(straight, slanting);
+          const float least = std::min(here[c + sign] + 1.0F, over[c]);
           if (!(least < here[c])) continue;
           here[c] = least;
           changed[row] = now + 1;
