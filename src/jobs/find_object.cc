@@ -2,6 +2,7 @@
 #include "jobs/find_object.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -19,19 +20,21 @@
 namespace dorsum {
 namespace {
 
-// Orders for the object's stripes, and what lies on the backplane beside it.
+// Orders for the object's stripes, and what lies on the backplane beside it; and `meanwhile`, which needs no
+// orders.
 void Index(PictureStripes seen, const DeviceOrders& orders, const ReconstructOptions& options,
-           const Context& context, FoundObject* found) {
+           const Context& context, const std::function<void()>& meanwhile, FoundObject* found) {
   const SheetModel model = options.sheets == "cone" ? SheetModel::kCone : SheetModel::kPlane;
   FoundObject& out = *found;
   if (options.indexing == "joint") {
-    ObjectSplit split =
-        SplitByHeight(IndexJointly(std::move(seen.stripes), orders, options.joint_indexing, context),
-                      seen.backplane, orders, options.object_split, context);
+    ObjectSplit split = SplitByHeight(
+        IndexJointly(std::move(seen.stripes), orders, options.joint_indexing, context, meanwhile),
+        seen.backplane, orders, options.object_split, context);
     out.stripes = std::move(split.object);
     out.backplane = std::move(split.backplane);
     return;
   }
+  meanwhile();
   const DeviceGeometry& device = orders.device();
   std::vector<LaserStripes> object;
   for (BackplaneSplit& split :
@@ -106,15 +109,13 @@ Result<FoundObject> FindObject(const CaptureImages& capture, const ReadyCalibrat
   context.Report("indexing", 0.5);
   const cv::Mat empty = seen.empty;
   const std::map<int, LaserPicture> pictures = std::move(seen.pictures);
-  // The light needs no orders, and most of the indexing has one thing to do after the other.
   ObjectLight light;
-  ParallelFor(context, 0, robust ? 2 : 1, [&](std::int64_t task) {
-    if (task == 0) {
-      Index(std::move(seen), orders, options, context, &out);
-    } else {
-      light = FindObjectLight(green, out.green_hand, empty, context);
-    }
-  });
+  Index(
+      std::move(seen), orders, options, context,
+      [&] {
+        if (robust) light = FindObjectLight(green, out.green_hand, empty, context);
+      },
+      &out);
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   if (robust) {
     DORSUM_ASSIGN_OR_RETURN(out.mask, MaskFromSeeds(capture, background, out, light, options, context));

@@ -2,8 +2,11 @@
 #include "stripes/joint_indexing.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
+
+#include "base/parallel.h"
 
 namespace dorsum {
 namespace {
@@ -71,13 +74,18 @@ void ReplaceSegments(const std::vector<JointPiece>& pieces, const std::vector<st
 }  // namespace
 
 IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceOrders& device_orders,
-                            const JointIndexingOptions& options, const Context& context) {
+                            const JointIndexingOptions& options, const Context& context,
+                            const std::function<void()>& meanwhile) {
   const DeviceGeometry& device = device_orders.device();
   std::erase_if(stripes, [&](const LaserStripes& s) { return device.FindLaser(s.laser) == nullptr; });
   const std::vector<JointPiece> pieces = CutPieces(stripes, device_orders, options.pieces, context);
   const JointGraph graph = BuildJointGraph(pieces, options.pieces.sample_rows, device.min_height_mm,
                                            device.max_height_mm, options.graph, context);
-  const JointLabels labels = InferLabels(pieces, graph, options.inference, context);
+  JointLabels labels;
+  ParallelFor(context, 0, meanwhile ? 2 : 1, [&](std::int64_t task) {
+    if (task == 0) labels = InferLabels(pieces, graph, options.inference, context);
+    if (task == 1) meanwhile();
+  });
   std::vector<std::optional<int>> orders(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (labels.candidate[i] < 0 || labels.own_margin[i] < options.min_own_margin ||

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/context.h"
@@ -30,8 +31,10 @@ struct JointIndexingOptions {
 //
 // Segments are parted where they run from one surface to another. A part whose order stays ambiguous has
 // none, and is counted in diagnostics.left_out; diagnostics.corrections stays 0. Lasers that `device` does
-// not know are left out.
+// not know are left out. `meanwhile`, if given, is called once, possibly beside the inference, which has one
+// thing to do after the other.
 IndexedStripes IndexJointly(std::vector<LaserStripes> stripes, const DeviceOrders& device_orders,
-                            const JointIndexingOptions& options, const Context& context);
+                            const JointIndexingOptions& options, const Context& context,
+                            const std::function<void()>& meanwhile = {});
 
 }  // namespace dorsum

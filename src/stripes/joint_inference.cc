@@ -137,10 +137,10 @@ class Inference {
   // across the surface's edges count for little, however long these are: how high a step is says hardly
   // anything, and whether the lasers' stripes interleave smoothly inside says much.
   double MoveCost(const std::vector<int>& surface, int by) {
-    inside_.assign(pieces_.size(), false);
-    for (const int i : surface) inside_[U(i)] = true;
+    inside_.resize(pieces_.size(), 0);
+    for (const int i : surface) inside_[U(i)] = 1;
     const auto moved = [&](int i) {
-      const int k = labels_.candidate[U(i)] + (inside_[U(i)] ? by : 0);
+      const int k = labels_.candidate[U(i)] + (inside_[U(i)] != 0 ? by : 0);
       return k >= 0 && k < Count(i) ? k : -1;
     };
     double cost = 0.0, steps = 0.0;
@@ -151,14 +151,15 @@ class Inference {
       for (const int e : at_[U(i)]) {
         const JointEdge& edge = graph_.edges[U(e)];
         const int j = Other(edge, i);
-        if (labels_.candidate[U(j)] < 0 || (inside_[U(j)] && j < i)) continue;
+        if (labels_.candidate[U(j)] < 0 || (inside_[U(j)] != 0 && j < i)) continue;
         const int to = moved(j);
         if (b < 0 || to < 0) continue;
         const std::size_t was = Place(edge, i, a, labels_.candidate[U(j)]), is = Place(edge, i, b, to);
         cost += edge.orders[is] - edge.orders[was];
-        (inside_[U(j)] ? cost : steps) += edge.heights[is] - edge.heights[was];
+        (inside_[U(j)] != 0 ? cost : steps) += edge.heights[is] - edge.heights[was];
       }
     }
+    for (const int i : surface) inside_[U(i)] = 0;
     return cost + std::clamp(steps, -options_.most_for_steps, options_.most_for_steps);
   }
 
@@ -177,7 +178,7 @@ class Inference {
   const JointInferenceOptions& options_;
   std::vector<std::vector<int>> at_;  // edges of each piece
   std::vector<std::vector<int>> surfaces_;
-  std::vector<bool> inside_;
+  std::vector<char> inside_;  // 1: in the surface that is looked at
   JointLabels labels_;
 };
 

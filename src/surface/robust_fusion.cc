@@ -53,7 +53,8 @@ class Fuser {
         options_(options),
         context_(context),
         mm_per_px_(MmPerPixel(points, camera)),
-        outline_(mask, static_cast<int>(std::ceil(2.0 * options.pitch_mm / mm_per_px_)) + 1,
+        step_px_(options.pitches_per_node * options.pitch_mm / mm_per_px_),
+        outline_(mask, static_cast<int>(std::ceil(2.0 * step_px_)) + 1,
                  static_cast<int>(std::ceil(RimOptions().reach_mm / mm_per_px_)) + 2, context),
         rays_(camera, outline_.bounds()) {
     plate_.mm_per_px = mm_per_px_;
@@ -101,7 +102,7 @@ class Fuser {
   // From fine to coarse. Those beyond the coarsest to be solved help to solve it.
   void MakeGrids() {
     grids_ = dorsum::MakeGrids(MakeSupport(samples_, outline_,
-                                           {.step_px = options_.pitch_mm / mm_per_px_,
+                                           {.step_px = step_px_,
                                             .mm_per_px = mm_per_px_,
                                             .max_beyond_mm = options_.max_beyond_mm,
                                             .max_gap_mm = options_.max_gap_mm},
@@ -255,7 +256,7 @@ class Fuser {
   const SurfacePoints& points_;
   const RobustFusionOptions& options_;
   const Context& context_;
-  double mm_per_px_;
+  double mm_per_px_, step_px_;  // of the finest lattice
   Outline outline_;
   RayField rays_;
   PlateOptions plate_;
