@@ -28,8 +28,8 @@ struct MessageTable {
 inline constexpr std::size_t kMessageLanes = 8;  // candidates that are worked on together
 inline constexpr float kNoCandidate = 1e30F;     // more than all costs, and of no digit of theirs
 
-// Sends messages from the pieces in [first, end) to their neighbours on one side, in the order of the pieces or
-// against it; the largest change of a message.
+// Sends messages from the pieces in [first, end) to their neighbours on one side, in the order of the pieces
+// or against it; the largest change of a message.
 float SweepMessages(bool ahead, std::size_t first, std::size_t end, MessageTable* table);
 
 }  // namespace dorsum

@@ -153,7 +153,8 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("library", "V of Algorithm 2, in usual spacings"),
     QT_TRANSLATE_NOOP("library",
                       "share of the central order's contrast that a level must show to be central"),
-    QT_TRANSLATE_NOOP("library", "grid of the height field, mm"),
+    QT_TRANSLATE_NOOP("library",
+                      "grid of the height field, mm; robust fusion's mesh has a node each 1.3 of it"),
     QT_TRANSLATE_NOOP("library", "widest gap between stripes that is bridged, mm"),
     QT_TRANSLATE_NOOP("library", "steepest surface between stripes, degrees"),
     // What the window itself cannot do.

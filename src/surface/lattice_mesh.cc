@@ -145,9 +145,9 @@ TriangleMesh MeshLattice(const PlateLattice& lattice, const Outline& outline, co
   std::vector<MeshPart> parts(kParts);
   ParallelFor(context, 0, kParts, [&](std::int64_t k) {
     const int cells = l.active.rows - 1, part = static_cast<int>(k);
-    parts[static_cast<std::size_t>(k)] = LatticeMesher(l, inside, rays, max_slope_deg, part * cells / kParts,
-                                                       (part + 1) * cells / kParts)
-                                             .Take();
+    parts[static_cast<std::size_t>(k)] =
+        LatticeMesher(l, inside, rays, max_slope_deg, part * cells / kParts, (part + 1) * cells / kParts)
+            .Take();
   });
   return JoinParts(parts, context);
 }

@@ -15,8 +15,8 @@ struct MeshPart {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   TriangleMesh mesh;  // without normals
-  // Vertices on the borders to the part before and to the one behind, place by place the same as those that the
-  // neighbour has there; kNone where there is none.
+  // Vertices on the borders to the part before and to the one behind, place by place the same as those that
+  // the neighbour has there; kNone where there is none.
   std::vector<std::uint32_t> first, last;
 };
 

@@ -12,7 +12,8 @@ constexpr std::uint32_t kNone = MeshPart::kNone;
 // A square of two faces above y, and a vertex that none has.
 MeshPart Square(double y) {
   MeshPart part;
-  part.mesh.vertices = {{9.0, 9.0, 9.0}, {0.0, y, 0.0}, {1.0, y, 0.0}, {1.0, y + 1.0, 0.0}, {0.0, y + 1.0, 0.0}};
+  part.mesh.vertices = {
+      {9.0, 9.0, 9.0}, {0.0, y, 0.0}, {1.0, y, 0.0}, {1.0, y + 1.0, 0.0}, {0.0, y + 1.0, 0.0}};
   part.mesh.faces = {{1, 2, 3}, {1, 3, 4}};
   part.first = {1, 2, kNone};
   part.last = {4, 3, 0};
