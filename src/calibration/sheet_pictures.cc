@@ -67,8 +67,9 @@ Result<std::vector<SheetPicture>> FindSheetPictures(const CalibrationSeries& ser
     quiet.sink = nullptr;
     quiet.threads = 1;
     const int laser = series.lasers[static_cast<std::size_t>(picture.laser)];
-    picture.stripes =
-        PoolAlongStripes(FindRidges(*image, {}, laser, options.ridge, quiet), options.pooling, quiet);
+    RidgeOptions ridge = options.ridge;
+    ridge.scale_deviations = false;
+    picture.stripes = PoolAlongStripes(FindRidges(*image, {}, laser, ridge, quiet), options.pooling, quiet);
   });
   DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
   for (const Status& s : status) DORSUM_RETURN_IF_ERROR(s);

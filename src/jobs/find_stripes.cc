@@ -57,7 +57,9 @@ Result<std::vector<FoundStripes>> FindStripes(const FindStripesRequest& request,
     context.Report("stripes", static_cast<double>(i) / static_cast<double>(request.images.size()));
     DORSUM_RETURN_IF_ERROR(context.CheckCancelled());
     DORSUM_ASSIGN_OR_RETURN(const cv::Mat image, ReadImage(request.images[i]));
-    LaserStripes stripes = FindRidges(GreenChannel(image), cv::Mat(), 0, request.ridges, context);
+    RidgeOptions ridges = request.ridges;
+    ridges.scale_deviations = !request.pool;
+    LaserStripes stripes = FindRidges(GreenChannel(image), cv::Mat(), 0, ridges, context);
     if (request.pool) stripes = PoolAlongStripes(std::move(stripes), request.pooling, context);
     AppendLines(stripes, several ? CsvField(name) + "," : "", &csv);
     found.push_back(Summarise(stripes, name));

@@ -77,7 +77,8 @@ class PictureSearch {
 
   Status FindAllRidges(const UnchangedPart* unchanged) {
     std::vector<RidgeSurvey> surveys(lasers_.size());
-    const RidgeOptions& ridge = options_.ridge;
+    RidgeOptions ridge = options_.ridge;
+    ridge.scale_deviations = false;  // MeasureStripes() pools
     ForLasers([&](std::size_t i, int laser) {
       LaserPicture& picture = PictureOf(laser);
       surveys[i] = SurveyRidges(picture.green, region_, ridge.width_px, ridge.detection, ridge.fit, context_);

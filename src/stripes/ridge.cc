@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -102,8 +103,7 @@ LaserStripes TrimEnds(const LaserStripes& stripes, const NoiseModel& noise, cons
   return AssembleStripes(kept, stripes.laser);
 }
 
-// Speckle and compression make neighbouring pixels err alike, so a fit's formal deviation is too small; the
-// scatter along the stripe tells by how much.
+// By the scatter along each stripe.
 LaserStripes ScaleDeviations(LaserStripes stripes) {
   std::vector<StripeCurve> curves = CurvesOf(stripes);
   const RowNoise noise = MeasureRowNoise({}, &curves);
@@ -141,7 +141,8 @@ LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, 
   const LaserStripes linked = LinkSegments(rows, laser, options.linking);
   const LaserStripes mended =
       MendCutStripes(green, linked, survey.noise, survey.width_px, options.fit, options.cut, context);
-  return ScaleDeviations(TrimEnds(mended, survey.noise, options));
+  LaserStripes trimmed = TrimEnds(mended, survey.noise, options);
+  return options.scale_deviations ? ScaleDeviations(std::move(trimmed)) : trimmed;
 }
 
 }  // namespace dorsum

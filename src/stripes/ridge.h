@@ -26,6 +26,10 @@ struct RidgeOptions {
   // Least sum of a segment's amplitudes over its rows, in standard deviations of a dark pixel.
   double min_evidence = 100.0;
   int end_rows = 6;  // rows before the end that give the usual amplitude
+  // Speckle and compression make neighbouring pixels err alike, so a fit's formal deviation is too small; the
+  // scatter along the stripe tells by how much. Whoever pools the rows finds that out again, and needs it
+  // not.
+  bool scale_deviations = true;
 };
 
 // Every stripe in every image row, from the image alone: the stripes' usual width and the noise against the
