@@ -87,12 +87,16 @@ cv::Mat WarpToPlane(const cv::Mat& image, const Camera& camera, const Rectificat
   const cv::Size size(static_cast<int>(std::clamp(r.area_mm.width * r.px_per_mm, 1.0, kLargest)),
                       static_cast<int>(std::clamp(r.area_mm.height * r.px_per_mm, 1.0, kLargest)));
   const cv::Matx33d image_from_plane = r.plane_from_image.inv();
-  cv::Mat map(size, CV_32FC2);
+  cv::Mat2f map(size);
   for (int j = 0; j < size.height; ++j) {
+    // Along a row, the homogeneous place grows evenly.
+    const cv::Vec3d first = image_from_plane * cv::Vec3d(r.area_mm.x, r.area_mm.y + j / r.px_per_mm, 1.0);
+    const cv::Vec3d step = image_from_plane * cv::Vec3d(1.0 / r.px_per_mm, 0.0, 0.0);
+    auto* row = map[j];
     for (int i = 0; i < size.width; ++i) {
-      const Eigen::Vector2d mm(r.area_mm.x + i / r.px_per_mm, r.area_mm.y + j / r.px_per_mm);
-      const Eigen::Vector2d p = DistortedPixel(camera, Apply(image_from_plane, mm));
-      map.at<cv::Vec2f>(j, i) = {static_cast<float>(p.x()), static_cast<float>(p.y())};
+      const cv::Vec3d q = first + i * step;
+      const Eigen::Vector2d p = DistortedPixel(camera, {q[0] / q[2], q[1] / q[2]});
+      row[i] = {static_cast<float>(p.x()), static_cast<float>(p.y())};
     }
   }
   cv::Mat warped;

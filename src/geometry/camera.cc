@@ -7,37 +7,26 @@
 namespace dorsum {
 namespace {
 
-struct Distorted {
-  Eigen::Vector2d point;
-  Eigen::Matrix2d jacobian;  // d point / d normalized
-};
-
-Distorted DistortWithJacobian(const std::array<double, 5>& d, const Eigen::Vector2d& p) {
-  const auto [k1, k2, p1, p2, k3] = d;
+// Of Distort(), by the normalised point.
+Eigen::Matrix2d DistortionJacobian(const Camera& camera, const Eigen::Vector2d& p) {
+  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
   const double x = p.x(), y = p.y();
   const double r2 = x * x + y * y;
   const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
   const double slope = k1 + r2 * (2.0 * k2 + 3.0 * r2 * k3);  // d radial / d r2
-  Distorted out;
-  out.point = {x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x),
-               y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y};
   const double cross = 2.0 * x * y * slope + 2.0 * p1 * x + 2.0 * p2 * y;
-  out.jacobian << radial + 2.0 * x * x * slope + 2.0 * p1 * y + 6.0 * p2 * x, cross, cross,
+  Eigen::Matrix2d jacobian;
+  jacobian << radial + 2.0 * x * x * slope + 2.0 * p1 * y + 6.0 * p2 * x, cross, cross,
       radial + 2.0 * y * y * slope + 6.0 * p1 * y + 2.0 * p2 * x;
-  return out;
+  return jacobian;
 }
 
 }  // namespace
 
-Eigen::Vector2d Distort(const Camera& camera, const Eigen::Vector2d& normalized) {
-  return DistortWithJacobian(camera.distortion, normalized).point;
-}
-
 Eigen::Vector2d Undistort(const Camera& camera, const Eigen::Vector2d& distorted) {
   Eigen::Vector2d p = distorted;
   for (int i = 0; i < 20; ++i) {
-    const Distorted at = DistortWithJacobian(camera.distortion, p);
-    const Eigen::Vector2d step = at.jacobian.inverse() * (distorted - at.point);
+    const Eigen::Vector2d step = DistortionJacobian(camera, p).inverse() * (distorted - Distort(camera, p));
     p += step;
     if (step.squaredNorm() < 1e-26) break;
   }

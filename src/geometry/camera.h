@@ -23,7 +23,13 @@ struct Camera {
 };
 
 // Adds lens distortion to a point of the normalised image plane (x/z, y/z).
-Eigen::Vector2d Distort(const Camera& camera, const Eigen::Vector2d& normalized);
+inline Eigen::Vector2d Distort(const Camera& camera, const Eigen::Vector2d& normalized) {
+  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
+  const double x = normalized.x(), y = normalized.y(), r2 = x * x + y * y;
+  const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  return {x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x),
+          y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y};
+}
 
 // Takes lens distortion away again, by Newton's method to below 1e-12. Inverse of Distort where the
 // distortion is one-to-one, which holds inside the image of any real lens.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "base/median.h"
 
@@ -29,43 +30,42 @@ std::vector<double> BrightnessPull(const std::vector<StripePoint>& points,
   level.reserve(points.size());
   for (const StripePoint& p : points) level.push_back(std::log(std::max(0.5, static_cast<double>(p.peak))));
   std::vector<double> squares(points.size(), 0.0), sure(points.size(), 0.0);
-  const auto n = static_cast<std::ptrdiff_t>(points.size());
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, k - options.half_rows);
-    const std::ptrdiff_t last = std::min<std::ptrdiff_t>(n - 1, k + options.half_rows);
-    const double count = static_cast<double>(last - first) + 1.0;
-    double mean_v = 0.0, mean_level = 0.0;
-    for (std::ptrdiff_t i = first; i <= last; ++i) {
-      mean_v += static_cast<double>(points[static_cast<std::size_t>(i)].v);
-      mean_level += level[static_cast<std::size_t>(i)];
-    }
-    mean_v /= count;
-    mean_level /= count;
-    double vv = 0.0, vl = 0.0, ll = 0.0;
-    for (std::ptrdiff_t i = first; i <= last; ++i) {
-      const double v = static_cast<double>(points[static_cast<std::size_t>(i)].v) - mean_v;
-      const double l = level[static_cast<std::size_t>(i)] - mean_level;
-      vv += v * v;
-      vl += v * l;
-      ll += l * l;
-    }
+  // Sums over the rows before each, from which those over any window follow.
+  struct Sums {
+    double v = 0.0, l = 0.0, vv = 0.0, vl = 0.0, ll = 0.0;
+  };
+  std::vector<Sums> before(points.size() + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double v = static_cast<double>(points[i].v - points.front().v), l = level[i] - level.front();
+    const Sums& s = before[i];
+    before[i + 1] = {s.v + v, s.l + l, s.vv + v * v, s.vl + v * l, s.ll + l * l};
+  }
+  // Of the rows around row k, up to `half` away, the first and the one behind the last.
+  const auto window = [n = points.size()](std::size_t k, int half) {
+    const auto reach = static_cast<std::size_t>(half);
+    return std::pair(k < reach ? 0 : k - reach, std::min(n, k + reach + 1));
+  };
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto [first, end] = window(k, options.half_rows);
+    const auto count = static_cast<double>(end - first);
+    const Sums &s = before[end], &t = before[first];
+    const double v = s.v - t.v, l = s.l - t.l;
+    const double vv = s.vv - t.vv - v * v / count, vl = s.vl - t.vl - v * l / count;
+    const double ll = s.ll - t.ll - l * l / count;
     const double slope = vl / vv;
     // What the scatter about the line, alike in some neighbouring rows, makes of the slope by chance.
     const double chance = 4.0 * std::max(0.0, ll - slope * vl) / std::max(1.0, count - 2.0) / vv;
-    squares[static_cast<std::size_t>(k)] = slope * slope - chance;
-    if (slope * slope > 4.0 * chance) sure[static_cast<std::size_t>(k)] = slope * slope - chance;
+    squares[k] = slope * slope - chance;
+    if (slope * slope > 4.0 * chance) sure[k] = slope * slope - chance;
   }
   // Where the brightness happens to stand still along the stripe, it may still change across it: the mean
   // over a wider stretch speaks for the rows that show less.
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, k - options.wide_half_rows);
-    const std::ptrdiff_t last = std::min<std::ptrdiff_t>(n - 1, k + options.wide_half_rows);
-    double mean = 0.0;
-    for (std::ptrdiff_t i = first; i <= last; ++i) mean += squares[static_cast<std::size_t>(i)];
-    mean /= static_cast<double>(last - first) + 1.0;
-    const double own = sure[static_cast<std::size_t>(k)];
-    pull[static_cast<std::size_t>(k)] =
-        options.across_share * width * width * std::sqrt(std::max({0.0, own, mean}));
+  std::vector<double> sum = {0.0};
+  for (const double square : squares) sum.push_back(sum.back() + square);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto [first, end] = window(k, options.wide_half_rows);
+    const double mean = (sum[end] - sum[first]) / static_cast<double>(end - first);
+    pull[k] = options.across_share * width * width * std::sqrt(std::max({0.0, sure[k], mean}));
   }
   return pull;
 }

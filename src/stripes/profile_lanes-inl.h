@@ -221,7 +221,7 @@ inline void Lanes::Step() {
   // Steps shrink at least tenfold here, so what is left of the centre is far below its noise.
   const M small =
       hn::And(hn::And(hn::Lt(hn::Abs(step[0]), Set(3e-2F)), hn::Lt(hn::Abs(step[1]), Set(5e-2F) * width)),
-              hn::Lt(hn::Abs(step[2]), Set(3e-2F) * amplitude + Set(0.05F)));
+              hn::Lt(hn::Abs(step[2]), Set(1e-2F) * amplitude + Set(0.05F)));
   Put(hn::IfThenElseZero(small, one), &small_);
   // A step so small from a place that was weighed needs no weighing of its own.
   const M last = hn::And(hn::And(better, small), sane);
