@@ -120,8 +120,10 @@ LaserStripes ScaleDeviations(LaserStripes stripes) {
 
 LaserStripes FindRidges(const cv::Mat& green, const cv::Mat& region, int laser, const RidgeOptions& options,
                         const Context& context, NoiseModel* noise) {
+  // Width and noise are the picture's own, so that of a large one fewer rows tell them.
+  const RowComb rows{kSurveyedRows.first, kSurveyedRows.step * (green.rows < 800 ? 1 : 2)};
   const RidgeSurvey survey =
-      SurveyRidges(green, region, options.width_px, options.detection, options.fit, context);
+      SurveyRidges(green, region, options.width_px, options.detection, options.fit, context, rows);
   if (noise != nullptr) *noise = survey.noise;
   return FindRidges(green, region, laser, survey, options, context);
 }

@@ -16,12 +16,12 @@ namespace {
 
 // Variance of dark pixels from second differences along the rows, without the fifth that is largest, where
 // stripes are.
-double DarkVariance(const cv::Mat& green) {
+double DarkVariance(const cv::Mat& green, const RowComb& rows) {
   // Neighbours often fall into one class, so each second one counts in a histogram of its own: none waits
   // for the other.
   std::array<std::array<int, 1021>, 2> histograms{};
   long count = 0;
-  for (int row = kSurveyedRows.first; row < green.rows; row += kSurveyedRows.step) {
+  for (int row = rows.first; row < green.rows; row += rows.step) {
     const auto* g = green.ptr<std::uint8_t>(row);
     for (int u = 1; u + 1 < green.cols; ++u) {
       ++histograms[static_cast<std::size_t>(u) % 2]
@@ -117,27 +117,27 @@ ProfileStart StartBetween(const std::vector<RidgeCandidate>& row, std::size_t i,
 
 RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double width_px,
                          const RidgeDetectionOptions& detection, const ProfileFitOptions& fit,
-                         const Context& context) {
+                         const Context& context, const RowComb& rows) {
   RidgeSurvey survey;
-  const double dark = std::max(kLeastVariance, DarkVariance(green));
+  const double dark = std::max(kLeastVariance, DarkVariance(green, rows));
   // Photons: before anything is measured, a tenth of the grey value is usual.
   survey.noise = {dark, 0.1, 0.0};
   survey.width_px = width_px;
   for (const int sparser : {4, 1}) {
-    const RowComb comb{kSurveyedRows.first, kSurveyedRows.step * sparser};
+    const RowComb comb{rows.first, rows.step * sparser};
     const int count = (green.rows - comb.first + comb.step - 1) / comb.step;
     if (count <= 0) return survey;
     RidgeDetectionOptions look = detection;
     look.width_px = survey.width_px > 0.0 ? survey.width_px : 2.0;
     look.min_contrast = 8.0;
-    const auto rows = DetectRidges(green, region, survey.noise, look, context, comb);
+    const auto candidates = DetectRidges(green, region, survey.noise, look, context, comb);
     const int blocks = (count + kRowsTogether - 1) / kRowsTogether;
     std::vector<RowFindings> findings(static_cast<std::size_t>(blocks));
     ParallelFor(context, 0, blocks, [&](std::int64_t i) {
       const int first = comb.first + static_cast<int>(i) * kRowsTogether * comb.step;
       const int end = std::min(green.rows, first + kRowsTogether * comb.step);
       findings[static_cast<std::size_t>(i)] =
-          SurveyRows(green, rows, first, end, comb.step, look.width_px, survey.noise, fit);
+          SurveyRows(green, candidates, first, end, comb.step, look.width_px, survey.noise, fit);
     });
     std::vector<float> widths;
     std::vector<NoiseSample> samples;

@@ -13,7 +13,7 @@
 
 namespace dorsum {
 
-// The rows that a survey looks at.
+// The rows that the survey of a scan looks at.
 inline constexpr RowComb kSurveyedRows{.first = 4, .step = 8};
 
 // What an image says about its stripes before they are looked for one by one.
@@ -31,6 +31,6 @@ ProfileStart StartBetween(const std::vector<RidgeCandidate>& row, std::size_t i,
 // with one of theirs. With `width_px` above 0, the width is given. `green` and `region` as in FindRidges.
 RidgeSurvey SurveyRidges(const cv::Mat& green, const cv::Mat& region, double width_px,
                          const RidgeDetectionOptions& detection, const ProfileFitOptions& fit,
-                         const Context& context);
+                         const Context& context, const RowComb& rows = kSurveyedRows);
 
 }  // namespace dorsum
