@@ -42,7 +42,7 @@ OptionTable DescribeReconstructOptions(ReconstructOptions* o) {
   t.Add("central-contrast", &o->classic_indexing.alignment.min_contrast, 0.0, 1.0,
         "share of the central order's contrast that a level must show to be central");
   t.Add("pitch-mm", &o->height_field.pitch_mm, 0.1, 5.0,
-        "grid of the height field, mm; robust fusion's mesh has a node each 1.3 of it");
+        "grid of the height field, mm; robust fusion's mesh has a node each 1.25 of it");
   t.Add("max-gap-mm", &o->height_field.max_gap_mm, 0.5, 50.0,
         "widest gap between stripes that is bridged, mm");
   t.Add("max-slope-deg", &o->height_field.max_slope_deg, 10.0, 89.0,

@@ -154,7 +154,7 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("library",
                       "share of the central order's contrast that a level must show to be central"),
     QT_TRANSLATE_NOOP("library",
-                      "grid of the height field, mm; robust fusion's mesh has a node each 1.3 of it"),
+                      "grid of the height field, mm; robust fusion's mesh has a node each 1.25 of it"),
     QT_TRANSLATE_NOOP("library", "widest gap between stripes that is bridged, mm"),
     QT_TRANSLATE_NOOP("library", "steepest surface between stripes, degrees"),
     // What the window itself cannot do.

@@ -20,7 +20,7 @@ struct RobustFusionOptions {
   double pitch_mm = 0.5;  // of the height field, mm, 0.1 to 5
   // The mesh's vertices lie this many pitches apart on the object, 0.5 to 4: the surface between stripes,
   // which are millimetres apart, needs no more (docs/accuracy.md).
-  double pitches_per_node = 1.3;
+  double pitches_per_node = 1.25;
   double max_beyond_mm = 7.0;   // how far the surface goes on beyond the last points, 0 to 50
   double max_gap_mm = 20.0;     // widest gap between points that closes, 1 to 100
   double max_slope_deg = 81.0;  // against the image plane; steeper is a depth jump and stays open, 10 to 89

@@ -2790,8 +2790,8 @@
         <translation>podíl kontrastu prostředního řádu, který musí úroveň mít, aby byla prostřední</translation>
     </message>
     <message>
-        <source>grid of the height field, mm; robust fusion&apos;s mesh has a node each 1.3 of it</source>
-        <translation>mřížka výškového pole, mm; síť robustní fúze má uzel po každých 1,3 z toho</translation>
+        <source>grid of the height field, mm; robust fusion&apos;s mesh has a node each 1.25 of it</source>
+        <translation>mřížka výškového pole, mm; síť robustní fúze má uzel po každých 1,25 z toho</translation>
     </message>
     <message>
         <source>widest gap between stripes that is bridged, mm</source>

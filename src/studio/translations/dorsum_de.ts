@@ -2780,8 +2780,8 @@
         <translation>Anteil am Kontrast der mittleren Ordnung, den eine Stufe zeigen muss, um die mittlere zu sein</translation>
     </message>
     <message>
-        <source>grid of the height field, mm; robust fusion&apos;s mesh has a node each 1.3 of it</source>
-        <translation>Raster des Höhenfelds, mm; das Netz der robusten Fusion hat alle 1,3 davon einen Knoten</translation>
+        <source>grid of the height field, mm; robust fusion&apos;s mesh has a node each 1.25 of it</source>
+        <translation>Raster des Höhenfelds, mm; das Netz der robusten Fusion hat alle 1,25 davon einen Knoten</translation>
     </message>
     <message>
         <source>widest gap between stripes that is bridged, mm</source>
