@@ -10,6 +10,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "surface/gathered_rows.h"
 #include "surface/lattice_mesh.h"
 #include "surface/mesh_raster.h"
 #include "surface/outline.h"
@@ -76,7 +77,7 @@ class Fuser {
     ParallelFor(context_, 0, 2, [&](std::int64_t part) {
       if (part == 1) return CompareLasers(rim, level);
       for (std::size_t i = compared; i-- > 0;) SolveLevel(i);
-      Judge();
+      Judge(rim);
       MakeSurface(rim);
     });
     out_.field.left_out = out_.misplaced + out_.outliers;
@@ -85,18 +86,16 @@ class Fuser {
 
  private:
   void MakeSamples() {
-    samples_.reserve(points_.size());
     const std::vector<bool> misplaced = FindMisplaced(points_, outline_, {.mm_per_px = mm_per_px_}, context_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const SurfacePoint& p = points_[i];
-      const bool pooled = p.row_sigma > 0.0F;  // the plate does that better, over the lasers too
-      const float sigma = std::max(pooled ? p.row_sigma : p.sigma, kLeastSigma);
-      const float weight = misplaced[i] ? 0.0F : 1.0F / (sigma * sigma);
-      samples_.push_back({p.u, p.v, pooled ? p.row_z : static_cast<float>(p.position.z()), weight});
-      lasers_.push_back(p.laser);
       if (misplaced[i]) out_.verdicts[i] = PointVerdict::kMisplaced;
       out_.misplaced += misplaced[i] ? 1 : 0;
     }
+    const int rows_of_step = std::max(1, static_cast<int>(step_px_));
+    GatheredRows gathered = GatherRows(points_, misplaced, rows_of_step, kLeastSigma);
+    samples_ = std::move(gathered.samples);
+    lasers_ = std::move(gathered.lasers);
+    pooled_ = std::move(gathered.pooled);
   }
 
   // From fine to coarse. Those beyond the coarsest to be solved help to solve it.
@@ -196,25 +195,21 @@ class Fuser {
       }
     });
     out_.offsets = EstimateLaserOffsets(weighed, lasers_, indicators, *level, {.mm_per_px = mm_per_px_});
-    std::array<float, 256> off{};
     for (const LaserOffset& one : out_.offsets) {
       if (std::abs(one.mean_mm) > options_.max_offset_mm) return;
       if (std::abs(one.mean_mm) > options_.offset_sigmas * one.sd_mm) {
-        off[static_cast<std::size_t>(one.laser)] = static_cast<float>(one.mean_mm);
+        off_mm_[static_cast<std::size_t>(one.laser)] = static_cast<float>(one.mean_mm);
       }
     }
-    for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].z -= off[lasers_[i]];
+    for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i].z -= off_mm_[lasers_[i]];
   }
 
   // The pooled heights, whose deviations tell a laser's shift from noise.
   std::vector<PlateSample> PooledSamples() const {
     std::vector<PlateSample> pooled = samples_;
     for (std::size_t i = 0; i < pooled.size(); ++i) {
-      const SurfacePoint& p = points_[i];
-      if (pooled[i].weight <= 0.0F || p.row_sigma <= 0.0F) continue;
-      const float sigma = std::max(p.sigma, kLeastSigma);
-      pooled[i].z += static_cast<float>(p.position.z()) - p.row_z;
-      pooled[i].weight = 1.0F / (sigma * sigma);
+      pooled[i].z += pooled_[i].change_mm;
+      pooled[i].weight = pooled_[i].weight;
     }
     return pooled;
   }
@@ -235,22 +230,22 @@ class Fuser {
                                         context_);
   }
 
-  void Judge() {
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const PlateSample& s = samples_[i];
-      if (s.weight <= 0.0F) continue;
-      const float z = HeightAt(grids_[0].lattice, grids_[0].places[i]);
+  void Judge(const Rim& rim) {
+    ParallelFor(context_, 0, static_cast<std::int64_t>(points_.size()), [&](std::int64_t at) {
+      const auto i = static_cast<std::size_t>(at);
+      if (out_.verdicts[i] != PointVerdict::kGood) return;
+      const SurfacePoint& p = points_[i];
+      const float z = HeightAt(grids_[0].lattice, p.u, p.v) + rim.Height(p.u, p.v) + off_mm_[p.laser];
       const double limit =
-          std::max(options_.outlier_mm, options_.outlier_sigmas * static_cast<double>(points_[i].sigma));
-      const double own =
-          points_[i].row_sigma > 0.0F ? points_[i].position.z() - static_cast<double>(points_[i].row_z) : 0.0;
+          std::max(options_.outlier_mm, options_.outlier_sigmas * static_cast<double>(p.sigma));
       if (!std::isfinite(z)) {
         out_.verdicts[i] = PointVerdict::kUnused;
-      } else if (std::abs(static_cast<double>(s.z - z) + own) > limit) {
+      } else if (std::abs(p.position.z() - static_cast<double>(z)) > limit) {
         out_.verdicts[i] = PointVerdict::kOutlier;
-        ++out_.outliers;
       }
-    }
+    });
+    out_.outliers =
+        static_cast<int>(std::count(out_.verdicts.begin(), out_.verdicts.end(), PointVerdict::kOutlier));
   }
 
   const SurfacePoints& points_;
@@ -261,7 +256,9 @@ class Fuser {
   RayField rays_;
   PlateOptions plate_;
   std::vector<PlateSample> samples_;  // heights without the rim and the lasers' offsets
+  std::vector<PooledHeight> pooled_;  // of the samples
   std::vector<std::uint8_t> lasers_;
+  std::array<float, 256> off_mm_{};  // what was taken off each laser's heights
   std::vector<PlateGrid> grids_;
   std::size_t coarsest_ = 0;  // of the grids, the first to be solved
   PlateSolver solver_;

@@ -51,8 +51,9 @@ struct RobustFusion {
 
 // Merges the points of all lasers into one surface. It is solved over the image, where the seen surface is a
 // function, where its outline is the mask's and what hides behind an edge needs no care: a thin plate
-// (plate.h) with the points' variances as weights, Geman-McClure's weights against outliers and a stiffness
-// that follows the surface (plate_stiffness.h), from coarse to fine, on top of the rim term (rim.h) that lets
+// (plate.h) through the points, gathered by the rows between two nodes (gathered_rows.h), with their
+// variances as weights, Geman-McClure's weights against outliers and a stiffness that follows the surface
+// (plate_stiffness.h), from coarse to fine, on top of the rim term (rim.h) that lets
 // flanks fall as steeply as rounded bodies do. Stripes with wrong orders are found first
 // (stripe_agreement.h). Each laser is compared with the surface of the others (laser_consistency.h), and
 // offsets in height that are surely there (laser_offsets.h) are taken off. The mesh is cut at the outline;
