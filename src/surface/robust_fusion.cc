@@ -117,8 +117,7 @@ class Fuser {
       l.stiffness = LocalStiffness(grids_[i + 1].lattice, l, {.mm_per_px = mm_per_px_});
       Prolong(grids_[i + 1].lattice, &l);
     }
-    const double scale = std::max(1.0, 0.6 * l.step_px * mm_per_px_);
-    Solve(i, {scale, scale});
+    Solve(i, {std::max(1.0, 0.6 * l.step_px * mm_per_px_)});
   }
 
   void MakeSurface(const Rim& rim) {
